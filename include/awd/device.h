@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The device: threads, callbacks, memory, and the registry of basis families. Two devices share
+ * nothing.
+ */
+#ifndef AWD_DEVICE_H
+#define AWD_DEVICE_H
+
+#include "awd/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct AWDBasisModule; /* awd/basis.h */
+
+/* Flags of a device. */
+enum {
+  AWD_DEVICE_IGNORE_ENVIRONMENT = 1u /* don't read $AWD_BASIS_PATH */
+};
+
+typedef struct AWDDeviceDesc {
+  size_t structSize;
+  uint32_t threads; /* 0: all this process may use; 1: everything runs in the calling thread */
+  uint32_t flags;
+  AWDLogFn log; /* NULL: silent. The library itself never prints. */
+  void* logUser;
+  AWDProgressFn progress; /* NULL: nothing is reported, nothing can be cancelled */
+  void* progressUser;
+  AWDAllocFn alloc; /* with `free`, or both NULL for the C++ runtime's */
+  AWDFreeFn free;
+  void* allocUser;
+  AWDParallelForFn parallelFor; /* the host's scheduler; NULL: the library's own */
+  void* parallelForUser;
+  const char* const* basisPaths; /* absolute folders, searched before all others; copied */
+  size_t basisPathCount;
+} AWDDeviceDesc;
+
+#ifdef __cplusplus
+#define AWD_DEVICE_DESC_INIT                                                                     \
+  AWDDeviceDesc {                                                                                \
+    sizeof(AWDDeviceDesc), 0u, 0u, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,         \
+        nullptr, nullptr, nullptr, nullptr, 0u                                                   \
+  }
+#else
+#define AWD_DEVICE_DESC_INIT                                                                     \
+  { sizeof(AWDDeviceDesc), 0u, 0u, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0u }
+#endif
+
+/* AWD_VERSION of the loaded library. Free. */
+AWD_EXPORT uint32_t AWD_CALL awdGetVersion(void) AWD_NOEXCEPT;
+
+/* A short name of a result code, such as "out of memory"; never NULL. Free. */
+AWD_EXPORT const char* AWD_CALL awdGetResultString(AWDResult result) AWD_NOEXCEPT;
+
+/* Why this thread's last failed call failed: argument, value and remedy. "" before any failure;
+   never NULL; valid until this thread's next call. Free. */
+AWD_EXPORT const char* AWD_CALL awdGetLastErrorMessage(void) AWD_NOEXCEPT;
+
+/* Makes a device; desc NULL: all defaults. Loads nothing yet: basis modules are looked for when
+   the first one is asked for. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdNewDevice(const AWDDeviceDesc* desc,
+                                           AWDDevice* device) AWD_NOEXCEPT;
+AWD_EXPORT void AWD_CALL awdRetainDevice(AWDDevice device) AWD_NOEXCEPT;
+AWD_EXPORT void AWD_CALL awdReleaseDevice(AWDDevice device) AWD_NOEXCEPT;
+
+/* --- basis families -------------------------------------------------------------------------
+   A family becomes visible under its name once its self-test has passed. Modules are looked for
+   in the device's basisPaths, in the folders of $AWD_BASIS_PATH (separated by ':'; not when the
+   process is privileged), and in <folder of libawd>/awd/bases-1; never in the current folder.
+   The first family of a name wins; the others are listed as rejected. */
+
+/* Loads one module by absolute path. AWD_ERROR_PLUGIN_... tells why not. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdLoadBasisModule(AWDDevice device,
+                                                 const char* absolutePath) AWD_NOEXCEPT;
+
+/* Registers a module that is linked into the host; its table must outlive the device. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdRegisterBasisModule(
+    AWDDevice device, const struct AWDBasisModule* module) AWD_NOEXCEPT;
+
+/* One line of the registry: a family that can be used, or a candidate that can't. The texts live
+   as long as the device. */
+typedef struct AWDBasisInfo {
+  size_t structSize;
+  const char* name;    /* "" when a module could not say */
+  const char* summary; /* "" when a module could not say */
+  const char* file;    /* absolute path; "" when registered from memory */
+  AWDResult status;    /* AWD_SUCCESS: can be used */
+  uint32_t flags;      /* AWD_BASIS_ORTHOGONAL and so on */
+  const char* message; /* why not; "" when it can be used */
+  uint32_t order;      /* polynomial degree + 1 */
+  uint32_t minLevel;
+  uint32_t maxLevel;
+  uint32_t reserved;
+} AWDBasisInfo;
+
+#ifdef __cplusplus
+#define AWD_BASIS_INFO_INIT                                                                      \
+  AWDBasisInfo { sizeof(AWDBasisInfo), nullptr, nullptr, nullptr, 0, 0u, nullptr, 0u, 0u, 0u, 0u }
+#else
+#define AWD_BASIS_INFO_INIT                                                                      \
+  { sizeof(AWDBasisInfo), NULL, NULL, NULL, 0, 0u, NULL, 0u, 0u, 0u, 0u }
+#endif
+
+/* Looks for modules if that has not been done, and counts families and rejected candidates.
+   Free. */
+AWD_EXPORT AWDResult AWD_CALL awdGetBasisCount(AWDDevice device, size_t* count) AWD_NOEXCEPT;
+/* index < awdGetBasisCount(). Sorted: families by name, then rejected ones by file. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdGetBasisInfo(AWDDevice device, size_t index,
+                                              AWDBasisInfo* info) AWD_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

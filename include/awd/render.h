@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The renderer: the multi-pass algorithm of Pietrek and Peter 1999. Backward path tracing; direct
+ * light by jittered shadow rays to each light; indirect light by one ray a vertex, drawn uniformly,
+ * by the cosine, or from the field's density; Russian roulette; densities frozen during a pass and
+ * adapted between passes; the film is the sample-weighted sum of all passes.
+ *
+ * The same seed gives the same bits for any number of threads.
+ */
+#ifndef AWD_RENDER_H
+#define AWD_RENDER_H
+
+#include "awd/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A pinhole camera. Pixel (i, j), row 0 on top, with (u, v) in [0,1)^2 looks along
+     lookDir + tanHalfFovX ((2 (i+u)/w - 1) right + (1 - 2 (j+v)/h) (h/w) up),
+   right = lookDir x up; lookDir is normalised and up made orthogonal to it. */
+typedef struct AWDCamera {
+  size_t structSize;
+  float eye[3];
+  float lookDir[3];
+  float up[3];
+  float tanHalfFovX; /* > 0 */
+  uint32_t width;    /* 1 to 65536 */
+  uint32_t height;
+} AWDCamera;
+
+#ifdef __cplusplus
+#define AWD_CAMERA_INIT                                                                          \
+  AWDCamera {                                                                                    \
+    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,  \
+        512u                                                                                     \
+  }
+#else
+#define AWD_CAMERA_INIT                                                                          \
+  {                                                                                              \
+    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,  \
+        512u                                                                                     \
+  }
+#endif
+
+/* Where indirect rays go. */
+typedef int32_t AWDGuide;
+enum {
+  AWD_GUIDE_ADAPTIVE = 0, /* by the field's density */
+  AWD_GUIDE_COSINE = 1,   /* pdf = cos(theta) / pi */
+  AWD_GUIDE_UNIFORM = 2   /* pdf = 1 / (2 pi) */
+};
+
+/* How light is found. */
+typedef int32_t AWDDirectLight;
+enum {
+  AWD_DIRECT_DEFAULT = 0,
+  /* Shadow rays alone, over the light's area: infinite variance where a light touches a surface. */
+  AWD_DIRECT_AREA = 1,
+  /* Shadow rays and indirect rays that meet a light, by balance weights from area and cosine. */
+  AWD_DIRECT_WEIGHTED = 2
+};
+
+/* How long paths live. q is the chance to go on, before the indirect ray is drawn; the survivor is
+   divided by it. After 64 vertices q <= 0.95. */
+typedef int32_t AWDRoulette;
+enum {
+  AWD_ROULETTE_DEFAULT = 0,
+  AWD_ROULETTE_ALBEDO = 1,    /* q = largest component of the albedo */
+  AWD_ROULETTE_THROUGHPUT = 2 /* q = largest component of throughput times albedo, at most 1 */
+};
+
+typedef struct AWDRenderDesc {
+  size_t structSize;
+  const AWDCamera* camera; /* copied; required */
+  AWDPreset preset;        /* settles every setting that is 0 below */
+  AWDGuide guide;
+  AWDDirectLight direct;
+  AWDRoulette roulette;
+  uint32_t shadowRays; /* per light and vertex, at most 1024; 0: 4 */
+  /* With more lights than this, the shadow rays of a vertex share them by power; 0: 8. */
+  uint32_t maxLights;
+  uint64_t seed;
+} AWDRenderDesc;
+
+#ifdef __cplusplus
+#define AWD_RENDER_DESC_INIT                                                                     \
+  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u }
+#else
+#define AWD_RENDER_DESC_INIT                                                                     \
+  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u }
+#endif
+
+/* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
+   alone; NULL: one of the render's own, made by the same preset. Its scale is set from the lights.
+   Free. */
+AWD_EXPORT AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field,
+                                           const AWDRenderDesc* desc,
+                                           AWDRender* render) AWD_NOEXCEPT;
+AWD_EXPORT void AWD_CALL awdRetainRender(AWDRender render) AWD_NOEXCEPT;
+AWD_EXPORT void AWD_CALL awdReleaseRender(AWDRender render) AWD_NOEXCEPT;
+
+/* The render's field, retained: release it. NULL unless the render is adaptive. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdGetRenderField(AWDRender render, AWDField* field) AWD_NOEXCEPT;
+
+/* Figures of one pass, or of all. */
+typedef struct AWDPassStatistics {
+  size_t structSize;
+  double cpuSeconds;  /* of the process, while rendering and adapting */
+  double wallSeconds; /* likewise */
+  uint64_t samplesPerPixel;
+  uint64_t samples; /* camera paths */
+  uint64_t rays;    /* traced, shadow rays included */
+  uint64_t shadowRays;
+  uint64_t patches;      /* that have had a sample, at the end */
+  uint64_t coefficients; /* of their densities as used during the pass */
+  uint64_t bytes;        /* of field and film */
+  /* Paths whose radiance, and records whose value, was NaN, infinite or negative: left out, but
+     counted as samples. */
+  uint64_t rejectedSamples;
+} AWDPassStatistics;
+
+#ifdef __cplusplus
+#define AWD_PASS_STATISTICS_INIT                                                                 \
+  AWDPassStatistics { sizeof(AWDPassStatistics), 0.0, 0.0, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+#else
+#define AWD_PASS_STATISTICS_INIT                                                                 \
+  { sizeof(AWDPassStatistics), 0.0, 0.0, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+#endif
+
+/* One pass of n >= 1 samples per pixel with the densities as they are; doesn't adapt: the host
+   calls awdAdaptField. statistics may be NULL. A cancelled or failed pass leaves film and field as
+   they were. Exclusive, for the field too. */
+AWD_EXPORT AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPerPixel,
+                                            AWDPassStatistics* statistics) AWD_NOEXCEPT;
+
+/* Several passes. samplesPerPass NULL: totalSamples divided by the library. Both 0: the preset's
+   schedule (paper: 10, 10, 10, 70). */
+typedef struct AWDSchedule {
+  size_t structSize;
+  const uint32_t* samplesPerPass; /* passCount numbers >= 1 */
+  uint32_t passCount;
+  uint32_t totalSamples; /* per pixel */
+} AWDSchedule;
+
+#ifdef __cplusplus
+#define AWD_SCHEDULE_INIT                                                                        \
+  AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u }
+#else
+#define AWD_SCHEDULE_INIT                                                                        \
+  { sizeof(AWDSchedule), NULL, 0u, 0u }
+#endif
+
+/* Runs the passes of a schedule (NULL: the preset's) and adapts between them, not after the last.
+   Passes that were finished before a cancellation stay. Exclusive, for the field too. */
+AWD_EXPORT AWDResult AWD_CALL awdRenderPasses(AWDRender render,
+                                              const AWDSchedule* schedule) AWD_NOEXCEPT;
+
+/* Passes finished so far, and the figures of each; index < count. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdGetPassCount(AWDRender render, uint32_t* count) AWD_NOEXCEPT;
+AWD_EXPORT AWDResult AWD_CALL awdGetPassStatistics(AWDRender render, uint32_t index,
+                                                   AWDPassStatistics* statistics) AWD_NOEXCEPT;
+/* Sums over all passes; patches, coefficients and bytes are those of the last. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdGetRenderStatistics(AWDRender render,
+                                                     AWDPassStatistics* statistics) AWD_NOEXCEPT;
+
+/* What the film holds of a pixel; each three floats. */
+typedef int32_t AWDFilmLayer;
+enum {
+  AWD_FILM_RADIANCE = 1, /* mean over all samples, linear RGB */
+  AWD_FILM_VARIANCE = 2  /* estimated variance of that mean, per channel; 0 below 2 samples */
+};
+
+/* Copies a layer: pixel (i, j) goes to pixels + j * rowStride + i * pixelStride bytes; 0: packed.
+   Row 0 is on top. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdReadFilm(AWDRender render, AWDFilmLayer layer, float* pixels,
+                                          size_t pixelStride, size_t rowStride) AWD_NOEXCEPT;
+
+/* Size of the film and samples per pixel so far; each pointer may be NULL. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, uint32_t* height,
+                                             uint64_t* samplesPerPixel) AWD_NOEXCEPT;
+
+/* The patch under the middle of a pixel; AWD_INVALID_ID where nothing is seen. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdGetPixelPatch(AWDRender render, uint32_t x, uint32_t y,
+                                               uint32_t* patch) AWD_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What every other header of libawd stands on: calling convention, result codes, handles, buffers
+ * and callbacks.
+ *
+ * Conventions of the whole interface
+ *  - Every call that can fail returns AWDResult. Outputs go through pointers; a handle output is
+ *    NULL after a failure. The reason is in awdGetLastErrorMessage().
+ *  - New gives the caller one reference; Retain adds one, Release drops one; both accept NULL.
+ *    A child (a scene of a device, a render of a scene) keeps its parents alive.
+ *  - Descriptions start with structSize, which their ..._INIT macro sets. They only ever grow at
+ *    the end. Zero means "the default" in every field. A caller newer than the library gets an
+ *    error if it uses a field that the library does not know.
+ *  - Threading: *free* functions may be called at any time from any thread. *Exclusive* ones want
+ *    that no other call uses the same object meanwhile. Retain and Release are always free.
+ *  - Lengths are in the host's scene units, angles in radians, radiance in linear RGB.
+ */
+#ifndef AWD_TYPES_H
+#define AWD_TYPES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define AWD_CALL __cdecl
+#if defined(AWD_STATIC_DEFINE)
+#define AWD_EXPORT
+#elif defined(awd_EXPORTS)
+#define AWD_EXPORT __declspec(dllexport)
+#else
+#define AWD_EXPORT __declspec(dllimport)
+#endif
+#else
+#define AWD_CALL
+#define AWD_EXPORT __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+#define AWD_NOEXCEPT noexcept
+extern "C" {
+#else
+#define AWD_NOEXCEPT
+#endif
+
+/* Version of these headers; awdGetVersion() tells that of the loaded library. */
+#define AWD_VERSION_MAJOR 0
+#define AWD_VERSION_MINOR 1
+#define AWD_VERSION_PATCH 0
+#define AWD_VERSION (AWD_VERSION_MAJOR * 10000 + AWD_VERSION_MINOR * 100 + AWD_VERSION_PATCH)
+
+/* The result of a call: AWD_SUCCESS or one of the negative AWD_ERROR_... values. */
+typedef int32_t AWDResult;
+enum {
+  AWD_SUCCESS = 0,
+  AWD_ERROR_UNKNOWN = -1,
+  AWD_ERROR_INVALID_ARGUMENT = -2,  /* a value that the call can't take */
+  AWD_ERROR_INVALID_OPERATION = -3, /* a call at the wrong time, such as before commit */
+  AWD_ERROR_OUT_OF_MEMORY = -4,
+  AWD_ERROR_UNSUPPORTED = -5, /* not in this build, or a module is not there */
+  AWD_ERROR_CANCELLED = -6,   /* the progress callback said stop; nothing was changed */
+  AWD_ERROR_IO = -7,          /* a file can't be read or written */
+  AWD_ERROR_PLUGIN_LOAD = -8, /* a module can't be opened or has no entry point */
+  AWD_ERROR_PLUGIN_ABI = -9,  /* a module was compiled for another interface */
+  AWD_ERROR_PLUGIN_NAME_TAKEN = -10,
+  AWD_ERROR_PLUGIN_SELF_TEST = -11 /* a module's mathematics is wrong; the message says where */
+};
+
+/* Handles. All objects of a device share its threads, callbacks and basis registry. */
+typedef struct AWDDeviceImpl* AWDDevice; /* threads, registry, callbacks */
+typedef struct AWDSceneImpl* AWDScene;   /* triangles, materials, lights */
+typedef struct AWDFieldImpl* AWDField;   /* one adaptive density per patch */
+typedef struct AWDRenderImpl* AWDRender; /* a path tracer with its film */
+typedef struct AWDImageImpl* AWDImage;   /* named float channels and metadata */
+
+/* No mesh, triangle, material, patch or component. */
+#define AWD_INVALID_ID 0xFFFFFFFFu
+
+/* A patch is known by a number of the host's below 2^31. Its back side, which is seen from
+   against the geometric normal, is a patch of its own. */
+#define AWD_PATCH_BACK 0x80000000u
+
+/* How the items of a buffer are laid out; all in the byte order of the machine. */
+typedef int32_t AWDFormat;
+enum {
+  AWD_FORMAT_UNDEFINED = 0,
+  AWD_FORMAT_UINT = 0x5001,  /* one uint32_t */
+  AWD_FORMAT_UINT3 = 0x5003, /* three uint32_t */
+  AWD_FORMAT_FLOAT3 = 0x9003 /* three float */
+};
+
+/* `count` items; item i starts byteOffset + i * byteStride bytes after `data`, and nothing after
+   the last item is read. byteStride 0: packed. data NULL with count 0: no buffer. This struct is
+   part of others and never grows. */
+typedef struct AWDBuffer {
+  const void* data;
+  size_t byteOffset;
+  size_t byteStride;
+  size_t count;
+  AWDFormat format;
+  uint32_t reserved; /* 0 */
+} AWDBuffer;
+
+/* A group of settings. The paper's: Pietrek and Peter 1999 to the letter. */
+typedef int32_t AWDPreset;
+enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
+
+/* Severity of a log message. */
+enum { AWD_LOG_INFO = 0, AWD_LOG_WARNING = 1, AWD_LOG_ERROR = 2 };
+
+/* Takes a message of one line without its line end. May be called from any thread, also from
+   several at once; the library holds no lock meanwhile. The text dies with the call. */
+typedef void(AWD_CALL* AWDLogFn)(void* user, int32_t severity, const char* message);
+
+/* What a long operation has done so far. */
+typedef struct AWDProgress {
+  size_t structSize;
+  const char* operation; /* "commit", "pass" or "adapt" */
+  const void* object;    /* the AWDScene, AWDRender or AWDField at work */
+  double fraction;       /* 0 to 1, never falling within one operation */
+} AWDProgress;
+
+/* Returns nonzero to go on and 0 to cancel: the operation then ends within one tile of work with
+   AWD_ERROR_CANCELLED and leaves its objects as they were. Called from whichever thread is at
+   work, never from two at once for one operation; the library holds no lock meanwhile. */
+typedef int32_t(AWD_CALL* AWDProgressFn)(void* user, const AWDProgress* progress);
+
+/* The host's memory. `alignment` is a power of two. Return NULL when there is none: the call at
+   work fails with AWD_ERROR_OUT_OF_MEMORY. Must be callable from any thread. */
+typedef void*(AWD_CALL* AWDAllocFn)(void* user, size_t size, size_t alignment);
+typedef void(AWD_CALL* AWDFreeFn)(void* user, void* ptr, size_t size, size_t alignment);
+
+/* One unit of parallel work, and the host's way to run `count` of them: call task(taskData, i)
+   once for each i in [0, count), on any threads in any order, and return when all have. */
+typedef void(AWD_CALL* AWDTaskFn)(void* taskData, size_t index);
+typedef void(AWD_CALL* AWDParallelForFn)(void* user, size_t count, AWDTaskFn task, void* taskData);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

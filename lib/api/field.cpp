@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "awd/field.h"
+
+#include <cmath>
+
+#include "basis/device.h"
+#include "api/handles.h"
+#include "guide/field.h"
+
+using namespace awd;
+
+namespace {
+
+/// Directions and normals must be unit vectors to this accuracy.
+constexpr float kUnitTolerance = 1e-3f;
+
+Vec3f unitVector(const float v[3], const char* argument) {
+  const Vec3f vector = load(need(v, argument));
+  if (!(std::abs(dot(vector, vector) - 1.0f) <= 2.0f * kUnitTolerance)) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): it must be a unit vector", argument,
+         vector.x, vector.y, vector.z);
+  }
+  return vector;
+}
+
+void checkUniforms(const double uniforms[3]) {
+  need(uniforms, "uniforms");
+  for (int i = 0; i < 3; ++i) {
+    if (!(uniforms[i] >= 0.0 && uniforms[i] < 1.0)) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "uniforms[%d] is %g: it must be in [0,1)", i, uniforms[i]);
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
+                               AWDField* field) noexcept {
+  return guard(__func__, [&] {
+    clearOutput(field, "field");
+    Device& owner = object(device, "device");
+    AWDFieldDesc known = AWD_FIELD_DESC_INIT;
+    if (desc) known = readStruct(desc, "desc", "AWD_FIELD_DESC_INIT");
+    const AWDBasisFamily& family = owner.registry().find(known.basis ? known.basis : "haar");
+    give(field, Field::make(owner.shareContext(), family, settle(known, family)));
+  });
+}
+
+void AWD_CALL awdRetainField(AWDField field) noexcept {
+  if (field) behind(field)->retain();
+}
+
+void AWD_CALL awdReleaseField(AWDField field) noexcept {
+  if (field) behind(field)->release();
+}
+
+AWDResult AWD_CALL awdSampleField(AWDField field, uint32_t patch, const float normal[3],
+                                  const double uniforms[3], AWDDirectionSample* sample) noexcept {
+  return guard(__func__, [&] {
+    checkUniforms(uniforms);
+    *need(sample, "sample") =
+        object(field, "field").sample(patch, unitVector(normal, "normal"), uniforms);
+  });
+}
+
+AWDResult AWD_CALL awdGetFieldPdf(AWDField field, uint32_t patch, const float normal[3],
+                                  const float direction[3], float* pdf) noexcept {
+  return guard(__func__, [&] {
+    *need(pdf, "pdf") = object(field, "field")
+                            .pdf(patch, unitVector(normal, "normal"),
+                                 unitVector(direction, "direction"));
+  });
+}
+
+AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch, const AWDDirectionSample* sample,
+                                  double value) noexcept {
+  return guard(__func__, [&] {
+    const AWDDirectionSample& known = *need(sample, "sample");
+    if (!(known.solidAngle > 0.0f && std::isfinite(known.solidAngle))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "sample->solidAngle is %g: the sample must come from awdSampleField", known.solidAngle);
+    }
+    object(field, "field").record(patch, known, value);
+  });
+}
+
+AWDResult AWD_CALL awdSetFieldScale(AWDField field, double magnitude) noexcept {
+  return guard(__func__, [&] {
+    if (!(magnitude > 0.0 && std::isfinite(magnitude))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "magnitude is %g: it must be positive and finite",
+           magnitude);
+    }
+    object(field, "field").setScale(magnitude);
+  });
+}
+
+AWDResult AWD_CALL awdAdaptField(AWDField field, AWDFieldStatistics* statistics) noexcept {
+  return guard(__func__, [&] {
+    Field& known = object(field, "field");
+    AWDFieldStatistics figures = AWD_FIELD_STATISTICS_INIT;
+    // A bad output struct must be found before anything is changed.
+    if (statistics) writeStruct(statistics, figures, "statistics", "AWD_FIELD_STATISTICS_INIT");
+    figures = known.adapt();
+    if (statistics) writeStruct(statistics, figures, "statistics", "AWD_FIELD_STATISTICS_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdMarkField(AWDField field) noexcept {
+  return guard(__func__, [&] { object(field, "field").mark(); });
+}
+
+AWDResult AWD_CALL awdRevertField(AWDField field) noexcept {
+  return guard(__func__, [&] { object(field, "field").revert(); });
+}
+
+AWDResult AWD_CALL awdGetFieldStatistics(AWDField field, AWDFieldStatistics* statistics) noexcept {
+  return guard(__func__, [&] {
+    writeStruct(statistics, object(field, "field").statistics(), "statistics",
+                "AWD_FIELD_STATISTICS_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdGetFieldPatches(AWDField field, uint32_t* patches, size_t capacity,
+                                      size_t* count) noexcept {
+  return guard(__func__, [&] {
+    const auto numbers = object(field, "field").patches();
+    *need(count, "count") = numbers.size();
+    if (capacity > 0) need(patches, "patches");
+    for (size_t i = 0; i < capacity && i < numbers.size(); ++i) patches[i] = numbers[i];
+  });
+}
+
+AWDResult AWD_CALL awdGetPatchInfo(AWDField field, uint32_t patch, AWDPatchInfo* info) noexcept {
+  return guard(__func__, [&] {
+    writeStruct(info, object(field, "field").patchInfo(patch), "info", "AWD_PATCH_INFO_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdGetPatchCoefficients(AWDField field, uint32_t patch, double* coefficients,
+                                           size_t capacity) noexcept {
+  return guard(__func__, [&] {
+    const auto& values = object(field, "field").density(patch).coefficients();
+    if (capacity < values.size()) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "capacity is %zu: patch %u has %zu coefficients", capacity,
+           patch, values.size());
+    }
+    std::copy(values.begin(), values.end(), need(coefficients, "coefficients"));
+  });
+}
+
+AWDResult AWD_CALL awdGetPatchPdf(AWDField field, uint32_t patch, uint32_t n, float* pixels,
+                                  size_t rowStride) noexcept {
+  return guard(__func__, [&] {
+    const Field& known = object(field, "field");
+    if (n < 1 || n > 16384) fail(AWD_ERROR_INVALID_ARGUMENT, "n is %u: 1 to 16384 is allowed", n);
+    const size_t stride = rowStride ? rowStride : n * sizeof(float);
+    if (stride < n * sizeof(float)) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "rowStride is %zu: a row has %zu bytes", rowStride,
+           n * sizeof(float));
+    }
+    known.pdfImage(patch, n, need(pixels, "pixels"), stride);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "awd/render.h"
+
+#include "api/handles.h"
+#include "render/render.h"
+
+using namespace awd;
+
+namespace {
+
+/// The strides of an image, 0 meaning packed.
+struct Strides {
+  size_t pixel, row;
+
+  Strides(size_t pixelStride, size_t rowStride, size_t pixelSize, size_t width)
+      : pixel(pixelStride ? pixelStride : pixelSize), row(rowStride ? rowStride : pixel * width) {
+    if (pixel < pixelSize) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "pixelStride is %zu: a pixel has %zu bytes", pixelStride,
+           pixelSize);
+    }
+    if (row < (width - 1) * pixel + pixelSize) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "rowStride is %zu: a row of %zu pixels has %zu bytes",
+           rowStride, width, (width - 1) * pixel + pixelSize);
+    }
+  }
+};
+
+/// What an adaptive render without a field of the host's learns in.
+Ref<Field> ownField(Scene& scene, AWDPreset preset) {
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.preset = preset;
+  const AWDBasisFamily& family = scene.device().registry().find("haar");
+  return Field::make(scene.device().shareContext(), family, settle(desc, family));
+}
+
+}  // namespace
+
+extern "C" {
+
+AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field, const AWDRenderDesc* desc,
+                                AWDRender* render) noexcept {
+  return guard(__func__, [&] {
+    clearOutput(render, "render");
+    Scene& known = object(scene, "scene");
+    AWDRenderDesc settings = readStruct(desc, "desc", "AWD_RENDER_DESC_INIT");
+    const AWDCamera camera = readStruct(settings.camera, "desc->camera", "AWD_CAMERA_INIT");
+    settings.camera = &camera;
+    settle(settings);  // bad settings are told before a field is made
+    const Ref<Geometry> geometry = known.shareGeometry();
+    Ref<Field> learner;
+    if (settings.guide == AWD_GUIDE_ADAPTIVE) {
+      learner = field ? Ref<Field>::share(behind(field)) : ownField(known, settings.preset);
+    }
+    give(render, Render::make(known.device().shareContext(), geometry, learner, settings));
+  });
+}
+
+void AWD_CALL awdRetainRender(AWDRender render) noexcept {
+  if (render) behind(render)->retain();
+}
+
+void AWD_CALL awdReleaseRender(AWDRender render) noexcept {
+  if (render) behind(render)->release();
+}
+
+AWDResult AWD_CALL awdGetRenderField(AWDRender render, AWDField* field) noexcept {
+  return guard(__func__, [&] {
+    clearOutput(field, "field");
+    give(field, object(render, "render").field());
+  });
+}
+
+AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPerPixel,
+                                 AWDPassStatistics* statistics) noexcept {
+  return guard(__func__, [&] {
+    Render& known = object(render, "render");
+    AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
+    // A bad output struct must be found before anything is changed.
+    if (statistics) writeStruct(statistics, figures, "statistics", "AWD_PASS_STATISTICS_INIT");
+    figures = known.pass(samplesPerPixel);
+    if (statistics) writeStruct(statistics, figures, "statistics", "AWD_PASS_STATISTICS_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdRenderPasses(AWDRender render, const AWDSchedule* schedule) noexcept {
+  return guard(__func__, [&] {
+    AWDSchedule known = AWD_SCHEDULE_INIT;
+    if (schedule) known = readStruct(schedule, "schedule", "AWD_SCHEDULE_INIT");
+    object(render, "render").passes(known);
+  });
+}
+
+AWDResult AWD_CALL awdGetPassCount(AWDRender render, uint32_t* count) noexcept {
+  return guard(__func__, [&] {
+    *need(count, "count") =
+        static_cast<uint32_t>(object(render, "render").statistics().size());
+  });
+}
+
+AWDResult AWD_CALL awdGetPassStatistics(AWDRender render, uint32_t index,
+                                        AWDPassStatistics* statistics) noexcept {
+  return guard(__func__, [&] {
+    const auto& passes = object(render, "render").statistics();
+    if (index >= passes.size()) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "index is %u: there are %zu passes", index, passes.size());
+    }
+    writeStruct(statistics, passes[index], "statistics", "AWD_PASS_STATISTICS_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdGetRenderStatistics(AWDRender render,
+                                          AWDPassStatistics* statistics) noexcept {
+  return guard(__func__, [&] {
+    writeStruct(statistics, object(render, "render").total(), "statistics",
+                "AWD_PASS_STATISTICS_INIT");
+  });
+}
+
+AWDResult AWD_CALL awdReadFilm(AWDRender render, AWDFilmLayer layer, float* pixels,
+                               size_t pixelStride, size_t rowStride) noexcept {
+  return guard(__func__, [&] {
+    const Film& film = object(render, "render").film();
+    if (layer != AWD_FILM_RADIANCE && layer != AWD_FILM_VARIANCE) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "layer is %d: not an AWD_FILM_...", layer);
+    }
+    const Strides strides(pixelStride, rowStride, 3 * sizeof(float), film.width());
+    char* row = reinterpret_cast<char*>(need(pixels, "pixels"));
+    for (size_t y = 0; y < film.height(); ++y, row += strides.row) {
+      for (size_t x = 0; x < film.width(); ++x) {
+        const size_t i = y * film.width() + x;
+        const Rgb value = layer == AWD_FILM_RADIANCE ? film.mean(i) : film.variance(i);
+        std::memcpy(row + x * strides.pixel, &value, 3 * sizeof(float));
+      }
+    }
+  });
+}
+
+AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, uint32_t* height,
+                                  uint64_t* samplesPerPixel) noexcept {
+  return guard(__func__, [&] {
+    const Film& film = object(render, "render").film();
+    if (width) *width = film.width();
+    if (height) *height = film.height();
+    if (samplesPerPixel) *samplesPerPixel = film.samples();
+  });
+}
+
+AWDResult AWD_CALL awdGetPixelPatch(AWDRender render, uint32_t x, uint32_t y,
+                                    uint32_t* patch) noexcept {
+  return guard(__func__,
+               [&] { *need(patch, "patch") = object(render, "render").pixelPatch(x, y); });
+}
+
+}  // extern "C"

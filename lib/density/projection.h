@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a pass's samples to the next pass's density: project, clamp, normalise, refine (section
+// "Adaptive pdfs" of the paper).
+#pragma once
+
+#include <memory_resource>
+#include <vector>
+
+#include "density/gram.h"
+#include "density/square_density.h"
+#include "density/square_statistics.h"
+
+namespace awd {
+
+/// The paper's estimate of the coefficients of f: b_jk = (1/n_jk) sum w_j w_k f over the n_jk
+/// samples drawn from component (j,k), 0 where there are none; then G c = b on both axes.
+/// Coefficients can come out negative. Scaled by a power of two so that the largest b is near 1.
+std::pmr::vector<double> project(std::pmr::memory_resource* memory, const BasisLevel& level,
+                                 const GramSolver& gram, const SquareStatistics& statistics);
+
+/// How low a coefficient may fall relative to the mean of the density when nothing else was asked
+/// for: much is kept where samples are few. 1 / (1 + m/n) within [0.01, 0.3].
+double defaultFloor(double samplesPerCoefficient);
+
+/// Raises coefficients below tau times the mean of max(c, 0); tau <= 0: negative ones to 0. False
+/// if there is no usable mean: all zero, or not finite.
+bool clampCoefficients(const BasisLevel& level, double tau, std::pmr::vector<double>& coefficients);
+
+/// The same function one level finer: c' = P c on both axes by the two-scale relation. Keeps the
+/// integral and the sign.
+std::pmr::vector<double> refine(std::pmr::memory_resource* memory, const BasisLevel& coarse,
+                                const BasisLevel& fine,
+                                const std::pmr::vector<double>& coefficients);
+
+}  // namespace awd

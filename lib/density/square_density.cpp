@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "density/square_density.h"
+
+#include <algorithm>
+
+#include "density/axis.h"
+
+namespace awd {
+
+SquareDensity::SquareDensity(std::pmr::memory_resource* memory, const BasisLevel& level)
+    : level_(&level),
+      // The functions sum to 1, so that coefficients 1 are the constant 1.
+      coefficients_(std::size_t{level.count} * level.count, 1.0, memory),
+      cumulative_(memory) {
+  accumulate();
+}
+
+SquareDensity::SquareDensity(const BasisLevel& level, std::pmr::vector<double> coefficients)
+    : level_(&level),
+      coefficients_(std::move(coefficients)),
+      cumulative_(coefficients_.get_allocator()) {
+  accumulate();
+}
+
+void SquareDensity::accumulate() {
+  const uint32_t n = level_->count;
+  // Scaled by the largest first, so that neither sum nor quotient leaves the range of a double.
+  const double largest = *std::max_element(coefficients_.begin(), coefficients_.end());
+  cumulative_.resize(coefficients_.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    coefficients_[i] /= largest;
+    sum += coefficients_[i] * level_->weights[i / n] * level_->weights[i % n];
+    cumulative_[i] = sum;
+  }
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    coefficients_[i] /= sum;
+    cumulative_[i] /= sum;
+  }
+  // No uniform may fall beyond the last component that can be drawn.
+  for (std::size_t i = cumulative_.size(); i-- > 0;) {
+    cumulative_[i] = 1.0;
+    if (coefficients_[i] > 0.0) break;
+  }
+}
+
+double SquareDensity::pdf(float u, float v) const {
+  const uint32_t n = level_->count;
+  if (level_->order == 1 && level_->alive == 1) {
+    const uint32_t* functions = level_->functions.data();
+    return coefficients_[std::size_t{functions[cellOf(*level_, u)]} * n +
+                         functions[cellOf(*level_, v)]];
+  }
+  AxisValues alongU, alongV;
+  evaluateAxis(*level_, u, alongU);
+  evaluateAxis(*level_, v, alongV);
+  double sum = 0.0;
+  for (uint32_t a = 0; a < alongU.count; ++a) {
+    const double* row = &coefficients_[std::size_t{alongU.function[a]} * n];
+    double rowSum = 0.0;
+    for (uint32_t b = 0; b < alongV.count; ++b) rowSum += row[alongV.function[b]] * alongV.value[b];
+    sum += alongU.value[a] * rowSum;
+  }
+  return sum;
+}
+
+SquareSample SquareDensity::sample(const double uniforms[3]) const {
+  const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), uniforms[0]);
+  const auto component = static_cast<uint32_t>(
+      std::min<std::size_t>(chosen - cumulative_.begin(), cumulative_.size() - 1));
+  SquareSample sample;
+  sample.component = component;
+  sample.u = sampleComponent(*level_, component / level_->count, uniforms[1]);
+  sample.v = sampleComponent(*level_, component % level_->count, uniforms[2]);
+  sample.pdf = pdf(sample.u, sample.v);
+  return sample;
+}
+
+std::size_t SquareDensity::bytes() const {
+  return sizeof *this + (coefficients_.capacity() + cumulative_.capacity()) * sizeof(double);
+}
+
+}  // namespace awd

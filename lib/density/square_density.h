@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pdf on the unit square, p(u,v) = sum_jk c_jk N_j(u) N_k(v) with c_jk >= 0 and integral 1: the
+// two-dimensional tensor product of the paper, with the same basis on both axes. Immutable.
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <vector>
+
+#include "basis/family.h"
+
+namespace awd {
+
+/// A point drawn from a density, and the component that it was drawn from.
+struct SquareSample {
+  float u, v;
+  uint32_t component;  ///< j * n + k
+  double pdf;          ///< p(u, v): bit-equal to what pdf() says
+};
+
+class SquareDensity {
+ public:
+  /// The constant density.
+  SquareDensity(std::pmr::memory_resource* memory, const BasisLevel& level);
+  /// From coefficients of a function with finite positive integral, no coefficient negative; they
+  /// are divided by the integral sum c_jk w_j w_k.
+  SquareDensity(const BasisLevel& level, std::pmr::vector<double> coefficients);
+
+  const BasisLevel& level() const { return *level_; }
+  const std::pmr::vector<double>& coefficients() const { return coefficients_; }
+
+  /// p at a point of [0,1]^2.
+  double pdf(float u, float v) const;
+  /// Draws the component with probability c_jk w_j w_k (eq. 4), then u ~ p_j and v ~ p_k.
+  SquareSample sample(const double uniforms[3]) const;
+
+  std::size_t bytes() const;
+
+ private:
+  void accumulate();
+
+  const BasisLevel* level_;
+  std::pmr::vector<double> coefficients_;
+  /// Sums of c_jk w_j w_k up to and with each component; exactly 1 at the last.
+  std::pmr::vector<double> cumulative_;
+};
+
+}  // namespace awd

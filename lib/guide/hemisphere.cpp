@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "guide/hemisphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace awd {
+
+namespace {
+
+constexpr float kPi = 3.14159265358979323846f;
+
+// The solid angle per area is 0 at the pole of the spherical map and infinite at the horizon of
+// the cosine maps. Sine and cosine are kept above what floats resolve there.
+constexpr float kLeastSine = 1e-6f;
+constexpr float kLeastCosine = 1e-4f;
+
+MappedDirection spherical(float u, float v) {
+  const float theta = 0.5f * kPi * u;
+  const float phi = 2.0f * kPi * v;
+  const float sine = std::max(std::sin(theta), kLeastSine);
+  const float cosine = std::max(std::cos(theta), kLeastCosine);
+  return {{sine * std::cos(phi), sine * std::sin(phi), cosine}, kPi * kPi * sine};
+}
+
+MappedDirection concentricCosine(float u, float v) {
+  const float a = 2.0f * u - 1.0f;
+  const float b = 2.0f * v - 1.0f;
+  float x = 0.0f;
+  float y = 0.0f;
+  if (a != 0.0f || b != 0.0f) {
+    const bool alongX = std::abs(a) > std::abs(b);
+    const float radius = alongX ? a : b;
+    const float angle = alongX ? 0.25f * kPi * (b / a) : 0.25f * kPi * (a / b);
+    const float major = radius * std::cos(angle);
+    const float minor = radius * std::sin(angle);
+    x = alongX ? major : minor;
+    y = alongX ? minor : major;
+  }
+  const float cosine = std::sqrt(std::max(1.0f - x * x - y * y, kLeastCosine * kLeastCosine));
+  return {{x, y, cosine}, kPi / cosine};
+}
+
+float belowOne(float x) { return std::clamp(x, 0.0f, std::nextafter(1.0f, 0.0f)); }
+
+}  // namespace
+
+Frame::Frame(Vec3f n) : normal(n) {
+  const float x = std::abs(n.x);
+  const float y = std::abs(n.y);
+  const float z = std::abs(n.z);
+  // The axis after the dominant one is never parallel to the normal.
+  const Vec3f axis = x >= y && x >= z ? Vec3f{0, 1, 0} : y >= z ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
+  tangent = normalized(axis - n * dot(n, axis));
+  bitangent = cross(n, tangent);
+}
+
+MappedDirection mapToHemisphere(AWDHemisphereMap map, float u, float v) {
+  return map == AWD_MAP_SPHERICAL ? spherical(u, v) : concentricCosine(u, v);
+}
+
+void mapToSquare(AWDHemisphereMap map, Vec3f d, float& u, float& v) {
+  if (map == AWD_MAP_SPHERICAL) {
+    const float phi = std::atan2(d.y, d.x);
+    u = belowOne(std::atan2(std::hypot(d.x, d.y), d.z) * (2.0f / kPi));
+    v = belowOne((phi < 0.0f ? phi + 2.0f * kPi : phi) / (2.0f * kPi));
+    return;
+  }
+  const bool alongX = std::abs(d.x) > std::abs(d.y);
+  const float major = alongX ? d.x : d.y;
+  const float minor = alongX ? d.y : d.x;
+  const float radius = std::copysign(std::min(std::hypot(major, minor), 1.0f), major);
+  const float ratio = major != 0.0f ? std::atan(minor / major) * (4.0f / kPi) : 0.0f;
+  const float a = alongX ? radius : radius * ratio;
+  const float b = alongX ? radius * ratio : radius;
+  u = belowOne(0.5f * (a + 1.0f));
+  v = belowOne(0.5f * (b + 1.0f));
+}
+
+float solidAngleAt(AWDHemisphereMap map, Vec3f d) {
+  if (map == AWD_MAP_SPHERICAL) return kPi * kPi * std::max(std::hypot(d.x, d.y), kLeastSine);
+  return kPi / std::max(d.z, kLeastCosine);
+}
+
+}  // namespace awd

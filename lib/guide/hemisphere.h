@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps from the unit square to directions above a surface, and tangent frames.
+#pragma once
+
+#include "awd/field.h"
+#include "util/vec.h"
+
+namespace awd {
+
+/// A right-handed frame about a unit normal. The tangent depends on the normal alone, through its
+/// dominant axis, so that surfaces that share a patch share directions too.
+struct Frame {
+  Vec3f tangent, bitangent, normal;
+
+  explicit Frame(Vec3f n);
+  Vec3f toWorld(Vec3f d) const { return tangent * d.x + bitangent * d.y + normal * d.z; }
+  Vec3f toLocal(Vec3f d) const { return {dot(d, tangent), dot(d, bitangent), dot(d, normal)}; }
+};
+
+/// A point of the square with its direction in the local frame (z up) and the solid angle per
+/// area of the square there: p_omega = p_square / solidAngle.
+struct MappedDirection {
+  Vec3f direction;
+  float solidAngle;  ///< |d omega / d(u,v)|, positive and finite
+};
+
+/// spherical: theta = pi u / 2, phi = 2 pi v; d omega = pi^2 sin(theta) du dv.
+/// concentric-cosine: Shirley and Chiu's equal-area map of the square to the disk, then straight
+/// up to the dome (Malley); d omega = pi / cos(theta) du dv.
+MappedDirection mapToHemisphere(AWDHemisphereMap map, float u, float v);
+
+/// The inverse; z > 0. The point lies in [0,1)^2.
+void mapToSquare(AWDHemisphereMap map, Vec3f direction, float& u, float& v);
+
+/// d omega / d(u,v) at a direction, without its point: for pdfs of directions that were not drawn
+/// from the map.
+float solidAngleAt(AWDHemisphereMap map, Vec3f direction);
+
+}  // namespace awd

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/render.h"
+
+#include <time.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "render/schedule.h"
+#include "util/error.h"
+
+namespace awd {
+
+namespace {
+
+/// Side of the square of pixels that one thread renders at a time.
+constexpr uint32_t kTile = 16;
+
+uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
+
+/// CPU time of the process and wall time since its construction.
+class Stopwatch {
+ public:
+  double cpuSeconds() const { return now(CLOCK_PROCESS_CPUTIME_ID) - cpu_; }
+  double wallSeconds() const { return now(CLOCK_MONOTONIC) - wall_; }
+
+ private:
+  static double now(clockid_t clock) {
+    timespec time = {};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  double cpu_ = now(CLOCK_PROCESS_CPUTIME_ID);
+  double wall_ = now(CLOCK_MONOTONIC);
+};
+
+bool isRadiance(Rgb c) {
+  return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f;
+}
+
+}  // namespace
+
+struct Render::Counters {
+  std::atomic<uint64_t> rays{0}, shadowRays{0}, rejected{0};
+};
+
+Ref<Render> Render::make(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
+                         const AWDRenderDesc& desc) {
+  std::pmr::memory_resource* memory = context->memory();
+  return Ref<Render>::adopt(awd::make<Render>(memory, std::move(context), std::move(geometry),
+                                              std::move(field), desc));
+}
+
+Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
+               const AWDRenderDesc& desc)
+    : context_(std::move(context)),
+      geometry_(std::move(geometry)),
+      field_(std::move(field)),
+      preset_(desc.preset),
+      settings_(settle(desc)),
+      seed_(desc.seed),
+      camera_(*desc.camera, *geometry_),
+      film_(context_->memory(), camera_.width(), camera_.height()),
+      statistics_(context_->memory()) {
+  if (field_) {
+    const double brightest = geometry_->lights().brightest();
+    if (brightest > 0.0 && std::isfinite(brightest)) field_->setScale(brightest);
+  }
+}
+
+void Render::destroy() noexcept {
+  const Ref<Context> context = context_;
+  unmake(context->memory(), this);
+}
+
+void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, Film& film, Counters& counters) {
+  const uint32_t columns = tilesAlong(film.width());
+  const uint32_t x0 = tile % columns * kTile;
+  const uint32_t y0 = tile / columns * kTile;
+  PathTracer tracer(context_->memory(), *geometry_, field_.get(), settings_);
+  uint64_t rejected = 0;
+  for (uint32_t y = y0; y < std::min(y0 + kTile, film.height()); ++y) {
+    for (uint32_t x = x0; x < std::min(x0 + kTile, film.width()); ++x) {
+      const uint64_t number = uint64_t{y} * film.width() + x;
+      for (uint32_t s = 0; s < samplesPerPixel; ++s) {
+        RandomStream random(seed_, statistics_.size(), number, s);
+        const double u = x + random.next();
+        const double v = y + random.next();
+        const Rgb radiance = tracer.trace(camera_.eye(), camera_.direction(u, v), random);
+        if (isRadiance(radiance)) {
+          film.pixel(x, y).add(radiance);
+        } else {
+          ++rejected;
+        }
+      }
+    }
+  }
+  counters.rays += tracer.rays();
+  counters.shadowRays += tracer.shadowRays();
+  counters.rejected += rejected;
+}
+
+AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
+  if (samplesPerPixel == 0) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
+  }
+  const Stopwatch watch;
+  Film pass(context_->memory(), film_.width(), film_.height());
+  statistics_.reserve(statistics_.size() + 1);
+  if (field_) field_->mark();
+  Counters counters;
+  try {
+    const uint32_t tiles = tilesAlong(film_.width()) * tilesAlong(film_.height());
+    Progress progress(*context_, "pass", this, tiles);
+    context_->parallel().forEach(tiles, [&](std::size_t tile) {
+      if (progress.cancelled()) return;
+      renderTile(static_cast<uint32_t>(tile), samplesPerPixel, pass, counters);
+      progress.step();
+    });
+    progress.throwIfCancelled();
+  } catch (...) {
+    if (field_) field_->revert();
+    throw;
+  }
+  film_.merge(pass, samplesPerPixel);
+
+  AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
+  figures.samplesPerPixel = samplesPerPixel;
+  figures.samples = uint64_t{samplesPerPixel} * film_.width() * film_.height();
+  figures.rays = counters.rays;
+  figures.shadowRays = counters.shadowRays;
+  figures.rejectedSamples = counters.rejected;
+  figures.bytes = film_.bytes();
+  if (field_) {
+    const AWDFieldStatistics learned = field_->statistics();
+    figures.patches = learned.patches;
+    figures.coefficients = learned.coefficients;
+    figures.bytes += learned.bytes;
+  }
+  figures.cpuSeconds = watch.cpuSeconds();
+  figures.wallSeconds = watch.wallSeconds();
+  statistics_.push_back(figures);
+  return figures;
+}
+
+void Render::adapt() {
+  const Stopwatch watch;
+  const AWDFieldStatistics learned = field_->adapt();
+  AWDPassStatistics& figures = statistics_.back();
+  figures.rejectedSamples += learned.rejected;
+  figures.cpuSeconds += watch.cpuSeconds();
+  figures.wallSeconds += watch.wallSeconds();
+}
+
+void Render::passes(const AWDSchedule& schedule) {
+  const auto plan = planPasses(context_->memory(), schedule, preset_, static_cast<bool>(field_));
+  for (const uint32_t samples : plan) {
+    if (field_ && !statistics_.empty()) adapt();
+    pass(samples);
+  }
+}
+
+AWDPassStatistics Render::total() const {
+  AWDPassStatistics sum = AWD_PASS_STATISTICS_INIT;
+  for (const AWDPassStatistics& pass : statistics_) {
+    sum.cpuSeconds += pass.cpuSeconds;
+    sum.wallSeconds += pass.wallSeconds;
+    sum.samplesPerPixel += pass.samplesPerPixel;
+    sum.samples += pass.samples;
+    sum.rays += pass.rays;
+    sum.shadowRays += pass.shadowRays;
+    sum.rejectedSamples += pass.rejectedSamples;
+    sum.patches = pass.patches;
+    sum.coefficients = pass.coefficients;
+    sum.bytes = pass.bytes;
+  }
+  return sum;
+}
+
+uint32_t Render::pixelPatch(uint32_t x, uint32_t y) const {
+  if (x >= camera_.width() || y >= camera_.height()) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "pixel (%u, %u) is outside the image of %u x %u", x, y,
+         camera_.width(), camera_.height());
+  }
+  const Vec3f direction = camera_.direction(x + 0.5, y + 0.5);
+  RayHit hit;
+  if (!geometry_->embree().intersect(camera_.eye(), direction, 0.0f,
+                                     std::numeric_limits<float>::infinity(), hit)) {
+    return AWD_INVALID_ID;
+  }
+  const Triangle& triangle = geometry_->triangle(hit.triangle);
+  return triangle.patch | (dot(triangle.normal, direction) > 0.0f ? AWD_PATCH_BACK : 0u);
+}
+
+}  // namespace awd

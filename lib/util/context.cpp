@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "util/context.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "util/error.h"
+
+namespace awd {
+
+Context::Context(const AWDDeviceDesc& desc)
+    : memory_(desc.alloc, desc.free, desc.allocUser),
+      parallel_(desc.threads, desc.parallelFor, desc.parallelForUser),
+      log_(desc.log),
+      logUser_(desc.logUser),
+      progress_(desc.progress),
+      progressUser_(desc.progressUser) {}
+
+Ref<Context> Context::make(const AWDDeviceDesc& desc) {
+  HostMemory memory(desc.alloc, desc.free, desc.allocUser);
+  void* place = memory.allocate(sizeof(Context), alignof(Context));
+  try {
+    return Ref<Context>::adopt(new (place) Context(desc));
+  } catch (...) {
+    memory.deallocate(place, sizeof(Context), alignof(Context));
+    throw;
+  }
+}
+
+void Context::destroy() noexcept {
+  HostMemory memory = memory_;  // ours lies in the memory that goes
+  unmake(&memory, this);
+}
+
+void Context::log(int32_t severity, const char* format, ...) noexcept {
+  if (!log_) return;
+  char text[1024];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  log_(logUser_, severity, text);
+}
+
+Progress::Progress(Context& context, const char* operation, const void* object, std::size_t steps)
+    : context_(context), operation_(operation), object_(object), steps_(steps) {}
+
+void Progress::step() noexcept {
+  const std::size_t done = done_.fetch_add(1, std::memory_order_relaxed) + 1;
+  report(static_cast<double>(done) / static_cast<double>(steps_));
+}
+
+void Progress::report(double fraction) noexcept {
+  if (!context_.progressFn() || reporting_.test_and_set(std::memory_order_acquire)) return;
+  if (fraction > reported_) reported_ = fraction;
+  const AWDProgress progress = {sizeof(AWDProgress), operation_, object_, reported_};
+  if (context_.progressFn()(context_.progressUser(), &progress) == 0) {
+    cancelled_.store(true, std::memory_order_relaxed);
+  }
+  reporting_.clear(std::memory_order_release);
+}
+
+void Progress::throwIfCancelled() const {
+  if (cancelled()) {
+    fail(AWD_ERROR_CANCELLED, "%s: cancelled by the progress callback", operation_);
+  }
+}
+
+}  // namespace awd

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "util/parallel.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#ifdef AWD_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include "util/error.h"
+
+namespace awd {
+
+namespace {
+
+unsigned usableThreads() {
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return std::max(1, CPU_COUNT(&set));
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// A loop that any number of threads may help with; exceptions wait for its end.
+class Loop {
+ public:
+  using Task = void (*)(void*, std::size_t);
+  Loop(Task task, void* data) : task_(task), data_(data) {}
+
+  void once(std::size_t index) noexcept {
+    calls_.fetch_add(1, std::memory_order_relaxed);
+    if (failed_.load(std::memory_order_relaxed)) return;
+    try {
+      task_(data_, index);
+    } catch (...) {
+      failed_.store(true, std::memory_order_relaxed);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (index < index_) {
+        index_ = index;
+        error_ = std::current_exception();
+      }
+    }
+  }
+
+  std::size_t calls() const { return calls_.load(); }
+
+  void rethrow() {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  Task task_;
+  void* data_;
+  std::atomic<std::size_t> calls_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::size_t index_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr error_;
+};
+
+#ifndef AWD_TBB
+/// The caller and threads - 1 helpers take indices in turn.
+void runOnThreads(unsigned threads, std::size_t count, Loop& loop) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) loop.once(i);
+  };
+  std::vector<std::thread> helpers;
+  try {
+    helpers.reserve(threads);
+    while (helpers.size() + 1 < std::min<std::size_t>(threads, count)) helpers.emplace_back(work);
+  } catch (...) {
+    // Fewer helpers than wished for: the loop is done by those there are.
+  }
+  work();
+  for (std::thread& helper : helpers) helper.join();
+}
+#endif
+
+}  // namespace
+
+#ifdef AWD_TBB
+struct Parallel::Arena {
+  explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
+  tbb::task_arena arena;
+};
+#else
+struct Parallel::Arena {
+  explicit Arena(unsigned) {}
+};
+#endif
+
+Parallel::Parallel(uint32_t threads, AWDParallelForFn hostFor, void* hostUser)
+    : threads_(threads ? threads : usableThreads()),
+      hostFor_(hostFor),
+      hostUser_(hostUser),
+      arena_(std::make_unique<Arena>(threads_)) {}
+
+Parallel::~Parallel() = default;
+
+void Parallel::run(std::size_t count, Task task, void* data) {
+  Loop loop(task, data);
+  if (hostFor_) {
+    hostFor_(
+        hostUser_, count,
+        [](void* self, std::size_t i) { static_cast<Loop*>(self)->once(i); }, &loop);
+    if (loop.calls() != count) {
+      fail(AWD_ERROR_INVALID_OPERATION,
+           "the host's parallelFor made %zu calls of %zu: it must run every index once",
+           loop.calls(), count);
+    }
+  } else if (threads_ == 1) {
+    for (std::size_t i = 0; i < count; ++i) loop.once(i);
+  } else {
+#ifdef AWD_TBB
+    arena_->arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { loop.once(i); },
+                        tbb::simple_partitioner());
+    });
+#else
+    runOnThreads(threads_, count, loop);
+#endif
+  }
+  loop.rethrow();
+}
+
+void Parallel::enter(Task task, void* data) {
+#ifdef AWD_TBB
+  Loop loop(task, data);
+  arena_->arena.execute([&] { loop.once(0); });
+  loop.rethrow();
+#else
+  task(data, 0);
+#endif
+}
+
+}  // namespace awd
