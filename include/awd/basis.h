@@ -23,10 +23,10 @@
 extern "C" {
 #endif
 
-#define AWD_BASIS_ABI 1u         /* bumped only on a break; also in the entry point's name */
+#define AWD_BASIS_ABI 1u /* bumped only on a break; also in the entry point's name */
 #define AWD_BASIS_ENTRY awdBasisModule_v1
-#define AWD_BASIS_MAX_ORDER 8u   /* functions alive at one x, and degree + 1, at most */
-#define AWD_BASIS_MAX_LEVEL 20u  /* no family goes beyond */
+#define AWD_BASIS_MAX_ORDER 8u  /* functions alive at one x, and degree + 1, at most */
+#define AWD_BASIS_MAX_LEVEL 20u /* no family goes beyond */
 
 /* Flags of a family. */
 enum {
@@ -36,14 +36,14 @@ enum {
 };
 
 typedef struct AWDBasisFamily {
-  size_t structSize;    /* sizeof(AWDBasisFamily); append only */
-  const char* name;     /* ^[a-z][a-z0-9_.-]{0,63}$; unique on a device */
-  const char* summary;  /* one line */
+  size_t structSize;   /* sizeof(AWDBasisFamily); append only */
+  const char* name;    /* ^[a-z][a-z0-9_.-]{0,63}$; unique on a device */
+  const char* summary; /* one line */
   uint32_t flags;
-  uint32_t order;       /* polynomial degree + 1, 1 to AWD_BASIS_MAX_ORDER */
-  uint32_t sampleDims;  /* uniforms that `sample` takes, 1 to AWD_BASIS_MAX_ORDER */
+  uint32_t order;      /* polynomial degree + 1, 1 to AWD_BASIS_MAX_ORDER */
+  uint32_t sampleDims; /* uniforms that `sample` takes, 1 to AWD_BASIS_MAX_ORDER */
   uint32_t minLevel;
-  uint32_t maxLevel;    /* minLevel to AWD_BASIS_MAX_LEVEL */
+  uint32_t maxLevel; /* minLevel to AWD_BASIS_MAX_LEVEL */
   /* Number n of functions, and of equal polynomial pieces. */
   uint32_t(AWD_CALL* count)(uint32_t level);
   uint32_t(AWD_CALL* cells)(uint32_t level);

@@ -37,13 +37,13 @@ typedef struct AWDDeviceDesc {
 } AWDDeviceDesc;
 
 #ifdef __cplusplus
-#define AWD_DEVICE_DESC_INIT                                                                     \
-  AWDDeviceDesc {                                                                                \
-    sizeof(AWDDeviceDesc), 0u, 0u, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,         \
-        nullptr, nullptr, nullptr, nullptr, 0u                                                   \
+#define AWD_DEVICE_DESC_INIT                                                                       \
+  AWDDeviceDesc {                                                                                  \
+    sizeof(AWDDeviceDesc), 0u, 0u, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,  \
+        nullptr, nullptr, nullptr, 0u                                                              \
   }
 #else
-#define AWD_DEVICE_DESC_INIT                                                                     \
+#define AWD_DEVICE_DESC_INIT                                                                       \
   { sizeof(AWDDeviceDesc), 0u, 0u, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0u }
 #endif
 
@@ -75,8 +75,8 @@ AWD_EXPORT AWDResult AWD_CALL awdLoadBasisModule(AWDDevice device,
                                                  const char* absolutePath) AWD_NOEXCEPT;
 
 /* Registers a module that is linked into the host; its table must outlive the device. Free. */
-AWD_EXPORT AWDResult AWD_CALL awdRegisterBasisModule(
-    AWDDevice device, const struct AWDBasisModule* module) AWD_NOEXCEPT;
+AWD_EXPORT AWDResult AWD_CALL
+awdRegisterBasisModule(AWDDevice device, const struct AWDBasisModule* module) AWD_NOEXCEPT;
 
 /* One line of the registry: a family that can be used, or a candidate that can't. The texts live
    as long as the device. */
@@ -95,10 +95,10 @@ typedef struct AWDBasisInfo {
 } AWDBasisInfo;
 
 #ifdef __cplusplus
-#define AWD_BASIS_INFO_INIT                                                                      \
+#define AWD_BASIS_INFO_INIT                                                                        \
   AWDBasisInfo { sizeof(AWDBasisInfo), nullptr, nullptr, nullptr, 0, 0u, nullptr, 0u, 0u, 0u, 0u }
 #else
-#define AWD_BASIS_INFO_INIT                                                                      \
+#define AWD_BASIS_INFO_INIT                                                                        \
   { sizeof(AWDBasisInfo), NULL, NULL, NULL, 0, 0u, NULL, 0u, 0u, 0u, 0u }
 #endif
 

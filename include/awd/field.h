@@ -40,10 +40,10 @@ typedef struct AWDFieldDesc {
 } AWDFieldDesc;
 
 #ifdef __cplusplus
-#define AWD_FIELD_DESC_INIT                                                                      \
+#define AWD_FIELD_DESC_INIT                                                                        \
   AWDFieldDesc { sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0 }
 #else
-#define AWD_FIELD_DESC_INIT                                                                      \
+#define AWD_FIELD_DESC_INIT                                                                        \
   { sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0 }
 #endif
 
@@ -100,10 +100,10 @@ typedef struct AWDFieldStatistics {
 } AWDFieldStatistics;
 
 #ifdef __cplusplus
-#define AWD_FIELD_STATISTICS_INIT                                                                \
+#define AWD_FIELD_STATISTICS_INIT                                                                  \
   AWDFieldStatistics { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #else
-#define AWD_FIELD_STATISTICS_INIT                                                                \
+#define AWD_FIELD_STATISTICS_INIT                                                                  \
   { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #endif
 
@@ -131,18 +131,18 @@ AWD_EXPORT AWDResult AWD_CALL awdGetFieldPatches(AWDField field, uint32_t* patch
 
 typedef struct AWDPatchInfo {
   size_t structSize;
-  const char* basis;         /* name of the family on both axes; lives as long as the field */
-  uint32_t level;            /* of both axes */
-  uint32_t axisCount;        /* functions per axis; axisCount^2 coefficients */
-  uint64_t samples;          /* recorded since the last adapt */
-  uint64_t learned;          /* samples that the present density was made of; 0: start density */
+  const char* basis;  /* name of the family on both axes; lives as long as the field */
+  uint32_t level;     /* of both axes */
+  uint32_t axisCount; /* functions per axis; axisCount^2 coefficients */
+  uint64_t samples;   /* recorded since the last adapt */
+  uint64_t learned;   /* samples that the present density was made of; 0: start density */
 } AWDPatchInfo;
 
 #ifdef __cplusplus
-#define AWD_PATCH_INFO_INIT                                                                      \
+#define AWD_PATCH_INFO_INIT                                                                        \
   AWDPatchInfo { sizeof(AWDPatchInfo), nullptr, 0u, 0u, 0u, 0u }
 #else
-#define AWD_PATCH_INFO_INIT                                                                      \
+#define AWD_PATCH_INFO_INIT                                                                        \
   { sizeof(AWDPatchInfo), NULL, 0u, 0u, 0u, 0u }
 #endif
 

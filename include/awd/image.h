@@ -46,8 +46,7 @@ AWD_EXPORT AWDResult AWD_CALL awdSetImageChannel(AWDImage image, const char* nam
 /* Copies a channel out in the same layout; AWD_ERROR_INVALID_ARGUMENT if there is none of the
    name: the message lists those there are. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdGetImageChannel(AWDImage image, const char* name, float* pixels,
-                                                 size_t pixelStride,
-                                                 size_t rowStride) AWD_NOEXCEPT;
+                                                 size_t pixelStride, size_t rowStride) AWD_NOEXCEPT;
 /* Adds or replaces a line of metadata; key: 1 to 63 printable characters; value NULL removes it.
    Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdSetImageMetadata(AWDImage image, const char* key,
@@ -66,10 +65,10 @@ typedef struct AWDPNGDesc {
 } AWDPNGDesc;
 
 #ifdef __cplusplus
-#define AWD_PNG_DESC_INIT                                                                        \
+#define AWD_PNG_DESC_INIT                                                                          \
   AWDPNGDesc { sizeof(AWDPNGDesc), 0.0f, 0u }
 #else
-#define AWD_PNG_DESC_INIT                                                                        \
+#define AWD_PNG_DESC_INIT                                                                          \
   { sizeof(AWDPNGDesc), 0.0f, 0u }
 #endif
 

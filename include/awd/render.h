@@ -30,16 +30,16 @@ typedef struct AWDCamera {
 } AWDCamera;
 
 #ifdef __cplusplus
-#define AWD_CAMERA_INIT                                                                          \
-  AWDCamera {                                                                                    \
-    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,  \
-        512u                                                                                     \
+#define AWD_CAMERA_INIT                                                                            \
+  AWDCamera {                                                                                      \
+    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,    \
+        512u                                                                                       \
   }
 #else
-#define AWD_CAMERA_INIT                                                                          \
-  {                                                                                              \
-    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,  \
-        512u                                                                                     \
+#define AWD_CAMERA_INIT                                                                            \
+  {                                                                                                \
+    sizeof(AWDCamera), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, {0.0f, 1.0f, 0.0f}, 0.5f, 512u,    \
+        512u                                                                                       \
   }
 #endif
 
@@ -84,10 +84,10 @@ typedef struct AWDRenderDesc {
 } AWDRenderDesc;
 
 #ifdef __cplusplus
-#define AWD_RENDER_DESC_INIT                                                                     \
+#define AWD_RENDER_DESC_INIT                                                                       \
   AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u }
 #else
-#define AWD_RENDER_DESC_INIT                                                                     \
+#define AWD_RENDER_DESC_INIT                                                                       \
   { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u }
 #endif
 
@@ -121,10 +121,10 @@ typedef struct AWDPassStatistics {
 } AWDPassStatistics;
 
 #ifdef __cplusplus
-#define AWD_PASS_STATISTICS_INIT                                                                 \
+#define AWD_PASS_STATISTICS_INIT                                                                   \
   AWDPassStatistics { sizeof(AWDPassStatistics), 0.0, 0.0, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #else
-#define AWD_PASS_STATISTICS_INIT                                                                 \
+#define AWD_PASS_STATISTICS_INIT                                                                   \
   { sizeof(AWDPassStatistics), 0.0, 0.0, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #endif
 
@@ -144,10 +144,10 @@ typedef struct AWDSchedule {
 } AWDSchedule;
 
 #ifdef __cplusplus
-#define AWD_SCHEDULE_INIT                                                                        \
+#define AWD_SCHEDULE_INIT                                                                          \
   AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u }
 #else
-#define AWD_SCHEDULE_INIT                                                                        \
+#define AWD_SCHEDULE_INIT                                                                          \
   { sizeof(AWDSchedule), NULL, 0u, 0u }
 #endif
 

@@ -27,11 +27,15 @@ typedef struct AWDMaterialDesc {
 } AWDMaterialDesc;
 
 #ifdef __cplusplus
-#define AWD_MATERIAL_DESC_INIT                                                                   \
-  AWDMaterialDesc { sizeof(AWDMaterialDesc), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f} }
+#define AWD_MATERIAL_DESC_INIT                                                                     \
+  AWDMaterialDesc {                                                                                \
+    sizeof(AWDMaterialDesc), {0.0f, 0.0f, 0.0f}, { 0.0f, 0.0f, 0.0f }                              \
+  }
 #else
-#define AWD_MATERIAL_DESC_INIT                                                                   \
-  { sizeof(AWDMaterialDesc), {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f} }
+#define AWD_MATERIAL_DESC_INIT                                                                     \
+  {                                                                                                \
+    sizeof(AWDMaterialDesc), {0.0f, 0.0f, 0.0f}, { 0.0f, 0.0f, 0.0f }                              \
+  }
 #endif
 
 /* Adds a material; its number counts from 0. *material may be NULL. Exclusive. */
@@ -55,16 +59,16 @@ typedef struct AWDMeshDesc {
 } AWDMeshDesc;
 
 #ifdef __cplusplus
-#define AWD_MESH_DESC_INIT                                                                       \
-  AWDMeshDesc {                                                                                  \
-    sizeof(AWDMeshDesc), {nullptr, 0u, 0u, 0u, 0, 0u}, {nullptr, 0u, 0u, 0u, 0, 0u},             \
-        {nullptr, 0u, 0u, 0u, 0, 0u}, {nullptr, 0u, 0u, 0u, 0, 0u}, 0u, 0u                       \
+#define AWD_MESH_DESC_INIT                                                                         \
+  AWDMeshDesc {                                                                                    \
+    sizeof(AWDMeshDesc), {nullptr, 0u, 0u, 0u, 0, 0u}, {nullptr, 0u, 0u, 0u, 0, 0u},               \
+        {nullptr, 0u, 0u, 0u, 0, 0u}, {nullptr, 0u, 0u, 0u, 0, 0u}, 0u, 0u                         \
   }
 #else
-#define AWD_MESH_DESC_INIT                                                                       \
-  {                                                                                              \
-    sizeof(AWDMeshDesc), {NULL, 0u, 0u, 0u, 0, 0u}, {NULL, 0u, 0u, 0u, 0, 0u},                   \
-        {NULL, 0u, 0u, 0u, 0, 0u}, {NULL, 0u, 0u, 0u, 0, 0u}, 0u, 0u                             \
+#define AWD_MESH_DESC_INIT                                                                         \
+  {                                                                                                \
+    sizeof(AWDMeshDesc), {NULL, 0u, 0u, 0u, 0, 0u}, {NULL, 0u, 0u, 0u, 0, 0u},                     \
+        {NULL, 0u, 0u, 0u, 0, 0u}, {NULL, 0u, 0u, 0u, 0, 0u}, 0u, 0u                               \
   }
 #endif
 
@@ -92,13 +96,15 @@ typedef struct AWDSceneInfo {
 } AWDSceneInfo;
 
 #ifdef __cplusplus
-#define AWD_SCENE_INFO_INIT                                                                      \
-  AWDSceneInfo {                                                                                 \
-    sizeof(AWDSceneInfo), 0u, 0u, 0u, 0u, 0u, 0u, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}         \
+#define AWD_SCENE_INFO_INIT                                                                        \
+  AWDSceneInfo {                                                                                   \
+    sizeof(AWDSceneInfo), 0u, 0u, 0u, 0u, 0u, 0u, {0.0f, 0.0f, 0.0f}, { 0.0f, 0.0f, 0.0f }         \
   }
 #else
-#define AWD_SCENE_INFO_INIT                                                                      \
-  { sizeof(AWDSceneInfo), 0u, 0u, 0u, 0u, 0u, 0u, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f} }
+#define AWD_SCENE_INFO_INIT                                                                        \
+  {                                                                                                \
+    sizeof(AWDSceneInfo), 0u, 0u, 0u, 0u, 0u, 0u, {0.0f, 0.0f, 0.0f}, { 0.0f, 0.0f, 0.0f }         \
+  }
 #endif
 
 /* Figures of the committed scene. Free. */

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "basis/device.h"
 #include "api/handles.h"
+#include "basis/device.h"
 #include "guide/field.h"
 
 using namespace awd;
@@ -68,9 +68,9 @@ AWDResult AWD_CALL awdSampleField(AWDField field, uint32_t patch, const float no
 AWDResult AWD_CALL awdGetFieldPdf(AWDField field, uint32_t patch, const float normal[3],
                                   const float direction[3], float* pdf) noexcept {
   return guard(__func__, [&] {
-    *need(pdf, "pdf") = object(field, "field")
-                            .pdf(patch, unitVector(normal, "normal"),
-                                 unitVector(direction, "direction"));
+    *need(pdf, "pdf") =
+        object(field, "field")
+            .pdf(patch, unitVector(normal, "normal"), unitVector(direction, "direction"));
   });
 }
 

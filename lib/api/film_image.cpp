@@ -14,7 +14,9 @@ using namespace awd;
 namespace {
 
 const char* nameOf(AWDGuide guide) {
-  return guide == AWD_GUIDE_ADAPTIVE ? "adaptive" : guide == AWD_GUIDE_COSINE ? "cosine" : "uniform";
+  return guide == AWD_GUIDE_ADAPTIVE ? "adaptive"
+         : guide == AWD_GUIDE_COSINE ? "cosine"
+                                     : "uniform";
 }
 
 const char* nameOf(const FieldSettings& settings) {

@@ -4,8 +4,8 @@
 
 #include <iterator>
 
-#include "basis/device.h"
 #include "api/handles.h"
+#include "basis/device.h"
 #include "image/exr_read.h"
 #include "image/exr_write.h"
 #include "image/image.h"
@@ -21,30 +21,31 @@ using awd::object;
 
 extern "C" {
 
-AWDResult awdNewImage(AWDDevice device, uint32_t width, uint32_t height, AWDImage* image) noexcept {
+AWDResult AWD_CALL awdNewImage(AWDDevice device, uint32_t width, uint32_t height,
+                               AWDImage* image) noexcept {
   return guard("awdNewImage", [&] {
     clearOutput(image, "image");
     give(image, Image::make(object(device, "device").context(), width, height));
   });
 }
 
-AWDResult awdReadImage(AWDDevice device, const char* path, AWDImage* image) noexcept {
+AWDResult AWD_CALL awdReadImage(AWDDevice device, const char* path, AWDImage* image) noexcept {
   return guard("awdReadImage", [&] {
     clearOutput(image, "image");
     give(image, awd::readExr(object(device, "device").context(), need(path, "path")));
   });
 }
 
-void awdRetainImage(AWDImage image) noexcept {
+void AWD_CALL awdRetainImage(AWDImage image) noexcept {
   if (image) awd::behind(image)->retain();
 }
 
-void awdReleaseImage(AWDImage image) noexcept {
+void AWD_CALL awdReleaseImage(AWDImage image) noexcept {
   if (image) awd::behind(image)->release();
 }
 
-AWDResult awdGetImageInfo(AWDImage image, uint32_t* width, uint32_t* height,
-                          uint32_t* channelCount) noexcept {
+AWDResult AWD_CALL awdGetImageInfo(AWDImage image, uint32_t* width, uint32_t* height,
+                                   uint32_t* channelCount) noexcept {
   return guard("awdGetImageInfo", [&] {
     const Image& from = object(image, "image");
     if (width) *width = from.width();
@@ -53,7 +54,8 @@ AWDResult awdGetImageInfo(AWDImage image, uint32_t* width, uint32_t* height,
   });
 }
 
-AWDResult awdGetImageChannelName(AWDImage image, uint32_t index, const char** name) noexcept {
+AWDResult AWD_CALL awdGetImageChannelName(AWDImage image, uint32_t index,
+                                          const char** name) noexcept {
   return guard("awdGetImageChannelName", [&] {
     clearOutput(name, "name");
     const Image::Channels& channels = object(image, "image").channels();
@@ -65,23 +67,24 @@ AWDResult awdGetImageChannelName(AWDImage image, uint32_t index, const char** na
   });
 }
 
-AWDResult awdSetImageChannel(AWDImage image, const char* name, const float* pixels,
-                             size_t pixelStride, size_t rowStride) noexcept {
+AWDResult AWD_CALL awdSetImageChannel(AWDImage image, const char* name, const float* pixels,
+                                      size_t pixelStride, size_t rowStride) noexcept {
   return guard("awdSetImageChannel", [&] {
     object(image, "image")
         .setChannel(need(name, "name"), need(pixels, "pixels"), pixelStride, rowStride);
   });
 }
 
-AWDResult awdGetImageChannel(AWDImage image, const char* name, float* pixels, size_t pixelStride,
-                             size_t rowStride) noexcept {
+AWDResult AWD_CALL awdGetImageChannel(AWDImage image, const char* name, float* pixels,
+                                      size_t pixelStride, size_t rowStride) noexcept {
   return guard("awdGetImageChannel", [&] {
     object(image, "image")
         .getChannel(need(name, "name"), need(pixels, "pixels"), pixelStride, rowStride);
   });
 }
 
-AWDResult awdSetImageMetadata(AWDImage image, const char* key, const char* value) noexcept {
+AWDResult AWD_CALL awdSetImageMetadata(AWDImage image, const char* key,
+                                       const char* value) noexcept {
   return guard("awdSetImageMetadata", [&] {
     Image& to = object(image, "image");
     if (value) {
@@ -92,19 +95,21 @@ AWDResult awdSetImageMetadata(AWDImage image, const char* key, const char* value
   });
 }
 
-AWDResult awdGetImageMetadata(AWDImage image, const char* key, const char** value) noexcept {
+AWDResult AWD_CALL awdGetImageMetadata(AWDImage image, const char* key,
+                                       const char** value) noexcept {
   return guard("awdGetImageMetadata", [&] {
     clearOutput(value, "value");
     *value = object(image, "image").metadataValue(need(key, "key"));
   });
 }
 
-AWDResult awdWriteImageEXR(AWDImage image, const char* path) noexcept {
+AWDResult AWD_CALL awdWriteImageEXR(AWDImage image, const char* path) noexcept {
   return guard("awdWriteImageEXR",
                [&] { awd::writeExr(object(image, "image"), need(path, "path")); });
 }
 
-AWDResult awdWriteImagePNG(AWDImage image, const char* path, const AWDPNGDesc* desc) noexcept {
+AWDResult AWD_CALL awdWriteImagePNG(AWDImage image, const char* path,
+                                    const AWDPNGDesc* desc) noexcept {
   return guard("awdWriteImagePNG", [&] {
     const Image& from = object(image, "image");
     AWDPNGDesc known = AWD_PNG_DESC_INIT;

@@ -92,8 +92,7 @@ AWDResult AWD_CALL awdRenderPasses(AWDRender render, const AWDSchedule* schedule
 
 AWDResult AWD_CALL awdGetPassCount(AWDRender render, uint32_t* count) noexcept {
   return guard(__func__, [&] {
-    *need(count, "count") =
-        static_cast<uint32_t>(object(render, "render").statistics().size());
+    *need(count, "count") = static_cast<uint32_t>(object(render, "render").statistics().size());
   });
 }
 

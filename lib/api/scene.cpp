@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "basis/device.h"
 #include "api/handles.h"
+#include "basis/device.h"
 #include "render/scene.h"
 
 using namespace awd;
@@ -58,8 +58,8 @@ void AWD_CALL awdReleaseScene(AWDScene scene) noexcept {
 AWDResult AWD_CALL awdAddMaterial(AWDScene scene, const AWDMaterialDesc* desc,
                                   uint32_t* material) noexcept {
   return guard(__func__, [&] {
-    const uint32_t number = object(scene, "scene")
-                                .addMaterial(readStruct(desc, "desc", "AWD_MATERIAL_DESC_INIT"));
+    const uint32_t number =
+        object(scene, "scene").addMaterial(readStruct(desc, "desc", "AWD_MATERIAL_DESC_INIT"));
     if (material) *material = number;
   });
 }

@@ -199,9 +199,8 @@ Field::Successor Field::succeed(Patch& patch) const {
   const SquareDensity& density = next.density ? *next.density : this->density(patch);
   next.statistics = makeOwned<SquareStatistics>(
       memory, memory, density.coefficients().size(),
-      statistics->largest() > 0.0
-          ? SquareStatistics::unitExponentFor(magnitudeOf(*statistics))
-          : statistics->unitExponent());
+      statistics->largest() > 0.0 ? SquareStatistics::unitExponentFor(magnitudeOf(*statistics))
+                                  : statistics->unitExponent());
   return next;
 }
 
@@ -261,9 +260,9 @@ void Field::mark() {
   std::pmr::vector<std::pair<Patch*, Owned<SquareStatistics>>> fresh(memory);
   table_.forEach([&](uint32_t, Patch& patch) {
     if (patch.marked || patch.statistics->samples() == 0) return;
-    fresh.emplace_back(
-        &patch, makeOwned<SquareStatistics>(memory, memory, patch.statistics->components(),
-                                            patch.statistics->unitExponent()));
+    fresh.emplace_back(&patch,
+                       makeOwned<SquareStatistics>(memory, memory, patch.statistics->components(),
+                                                   patch.statistics->unitExponent()));
   });
   // Nothing below can fail.
   table_.forEach([&](uint32_t, Patch& patch) {
@@ -284,12 +283,8 @@ void Field::revert() {
 AWDPatchInfo Field::patchInfo(uint32_t number) const {
   const Patch* patch = table_.find(number);
   const BasisLevel& level = density(number).level();
-  return {sizeof(AWDPatchInfo),
-          family_.name().c_str(),
-          level.level,
-          level.count,
-          patch ? patch->samples() : 0,
-          patch ? patch->learned : 0};
+  return {sizeof(AWDPatchInfo), family_.name().c_str(),       level.level,
+          level.count,          patch ? patch->samples() : 0, patch ? patch->learned : 0};
 }
 
 std::pmr::vector<uint32_t> Field::patches() const {

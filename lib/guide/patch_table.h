@@ -35,7 +35,8 @@ class PatchTable {
   T& touch(uint32_t number, Make&& makePatch) {
     Node* node = &root_;
     for (int shift = 24; shift > 0; shift -= 8) {
-      node = &reach<Node>(node->slot(number >> shift), [&] { return make<Node>(memory_, memory_); });
+      node =
+          &reach<Node>(node->slot(number >> shift), [&] { return make<Node>(memory_, memory_); });
     }
     return reach<T>(node->slot(number), makePatch);
   }

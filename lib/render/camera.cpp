@@ -23,8 +23,8 @@ Vec3d checked(const float v[3], const char* name) {
 Camera::Camera(const AWDCamera& desc, const Geometry& geometry)
     : width_(desc.width), height_(desc.height) {
   if (width_ < 1 || width_ > kMostPixels || height_ < 1 || height_ > kMostPixels) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "camera is %u x %u pixels: 1 to %u a side are allowed",
-         width_, height_, kMostPixels);
+    fail(AWD_ERROR_INVALID_ARGUMENT, "camera is %u x %u pixels: 1 to %u a side are allowed", width_,
+         height_, kMostPixels);
   }
   if (!(desc.tanHalfFovX > 0.0f && std::isfinite(desc.tanHalfFovX))) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "camera->tanHalfFovX is %g: it must be positive and finite",

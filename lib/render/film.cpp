@@ -26,8 +26,7 @@ Rgb Film::variance(std::size_t pixel) const {
     const double mean = sum / n;
     return static_cast<float>(std::max(squares / n - mean * mean, 0.0) / (n - 1.0));
   };
-  return {ofMean(p.sum.x, p.squares.x), ofMean(p.sum.y, p.squares.y),
-          ofMean(p.sum.z, p.squares.z)};
+  return {ofMean(p.sum.x, p.squares.x), ofMean(p.sum.y, p.squares.y), ofMean(p.sum.z, p.squares.z)};
 }
 
 }  // namespace awd

@@ -67,8 +67,8 @@ void forEachTriangle(const std::pmr::vector<Mesh>& meshes, Visit&& visit) {
       const Vec3d p[3] = {corner(meshes[m], index.v[0]), corner(meshes[m], index.v[1]),
                           corner(meshes[m], index.v[2])};
       const Vec3d edges[3] = {p[1] - p[0], p[2] - p[1], p[0] - p[2]};
-      const double longest = std::max({dot(edges[0], edges[0]), dot(edges[1], edges[1]),
-                                       dot(edges[2], edges[2])});
+      const double longest =
+          std::max({dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2])});
       if (length(cross(edges[0], edges[1])) > kLeastAspect * longest) visit(m, i, p);
     }
   }
@@ -181,9 +181,8 @@ void Geometry::Parts::gatherLights(const Pieces& pieces) {
     triangles[t].light = pieces.ofTriangle[t];
     if (triangles[t].light != kNoLight) emissive.push_back(t);
   }
-  std::stable_sort(emissive.begin(), emissive.end(), [&](uint32_t a, uint32_t b) {
-    return triangles[a].light < triangles[b].light;
-  });
+  std::stable_sort(emissive.begin(), emissive.end(),
+                   [&](uint32_t a, uint32_t b) { return triangles[a].light < triangles[b].light; });
   std::pmr::vector<Vec3f> own(memory);
   for (std::size_t begin = 0, end; begin < emissive.size(); begin = end) {
     const Triangle& first = triangles[emissive[begin]];

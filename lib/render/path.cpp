@@ -78,10 +78,10 @@ Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random) {
 
     Vertex& vertex = path_.emplace_back();
     if (front && triangle.light != kNoLight) {
-      const float weight =
-          path_.size() == 1 ? 1.0f
-                            : emitterWeight(geometry_.lights()[triangle.light], hit.t, facing,
-                                            path_[path_.size() - 2].cosine);
+      const float weight = path_.size() == 1
+                               ? 1.0f
+                               : emitterWeight(geometry_.lights()[triangle.light], hit.t, facing,
+                                               path_[path_.size() - 2].cosine);
       vertex.emitted = material.emission * weight;
     }
     if (!(maxComponent(material.albedo) > 0.0f)) break;

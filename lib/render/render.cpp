@@ -35,9 +35,7 @@ class Stopwatch {
   double wall_ = now(CLOCK_MONOTONIC);
 };
 
-bool isRadiance(Rgb c) {
-  return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f;
-}
+bool isRadiance(Rgb c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f; }
 
 }  // namespace
 
@@ -48,8 +46,8 @@ struct Render::Counters {
 Ref<Render> Render::make(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
                          const AWDRenderDesc& desc) {
   std::pmr::memory_resource* memory = context->memory();
-  return Ref<Render>::adopt(awd::make<Render>(memory, std::move(context), std::move(geometry),
-                                              std::move(field), desc));
+  return Ref<Render>::adopt(
+      awd::make<Render>(memory, std::move(context), std::move(geometry), std::move(field), desc));
 }
 
 Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,

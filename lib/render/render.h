@@ -15,8 +15,7 @@ class Render final : public RefCounted {
   /// field: null unless adaptive.
   static Ref<Render> make(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
                           const AWDRenderDesc& desc);
-  Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
-         const AWDRenderDesc& desc);
+  Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field, const AWDRenderDesc& desc);
 
   /// One pass with frozen densities. Nothing is changed if it throws.
   AWDPassStatistics pass(uint32_t samplesPerPixel);

@@ -52,8 +52,8 @@ void Scene::commit() {
   const AWDSceneInfo info = geometry_->info();
   if (info.skipped > 0) {
     device_->context().log(AWD_LOG_WARNING, "%llu of %llu triangles have no area and were skipped",
-                  static_cast<unsigned long long>(info.skipped),
-                  static_cast<unsigned long long>(info.triangles));
+                           static_cast<unsigned long long>(info.skipped),
+                           static_cast<unsigned long long>(info.triangles));
   }
   if (info.triangles == info.skipped) {
     device_->context().log(AWD_LOG_WARNING, "the scene is empty: images of it are black");
@@ -74,8 +74,8 @@ Ref<Geometry> Scene::shareGeometry() const {
 
 AWDHit Scene::intersect(const AWDRay& ray) const {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  AWDHit miss = {kInfinity,      {0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, AWD_INVALID_ID, AWD_INVALID_ID,
-                 AWD_INVALID_ID, AWD_INVALID_ID};
+  AWDHit miss = {kInfinity,      {0.0f, 0.0f, 0.0f}, 0.0f,           0.0f,
+                 AWD_INVALID_ID, AWD_INVALID_ID,     AWD_INVALID_ID, AWD_INVALID_ID};
   const Geometry& g = geometry();
   const Vec3f direction = load(ray.direction) * g.scale();
   RayHit hit;

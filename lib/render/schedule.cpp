@@ -34,8 +34,7 @@ void divideDoubling(uint32_t total, std::pmr::vector<uint32_t>& passes) {
 }  // namespace
 
 std::pmr::vector<uint32_t> planPasses(std::pmr::memory_resource* memory,
-                                      const AWDSchedule& schedule, AWDPreset preset,
-                                      bool learns) {
+                                      const AWDSchedule& schedule, AWDPreset preset, bool learns) {
   std::pmr::vector<uint32_t> passes(memory);
   if (schedule.samplesPerPass || schedule.passCount > 0) {
     if (!schedule.samplesPerPass || schedule.passCount == 0 || schedule.totalSamples != 0) {

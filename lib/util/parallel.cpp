@@ -108,8 +108,8 @@ void Parallel::run(std::size_t count, Task task, void* data) {
   Loop loop(task, data);
   if (hostFor_) {
     hostFor_(
-        hostUser_, count,
-        [](void* self, std::size_t i) { static_cast<Loop*>(self)->once(i); }, &loop);
+        hostUser_, count, [](void* self, std::size_t i) { static_cast<Loop*>(self)->once(i); },
+        &loop);
     if (loop.calls() != count) {
       fail(AWD_ERROR_INVALID_OPERATION,
            "the host's parallelFor made %zu calls of %zu: it must run every index once",
@@ -120,8 +120,8 @@ void Parallel::run(std::size_t count, Task task, void* data) {
   } else {
 #ifdef AWD_TBB
     arena_->arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { loop.once(i); },
-                        tbb::simple_partitioner());
+      tbb::parallel_for(
+          std::size_t{0}, count, [&](std::size_t i) { loop.once(i); }, tbb::simple_partitioner());
     });
 #else
     runOnThreads(threads_, count, loop);

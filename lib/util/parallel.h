@@ -26,7 +26,8 @@ class Parallel {
   template <class Body>
   void forEach(std::size_t count, Body&& body) {
     using Plain = std::remove_reference_t<Body>;
-    run(count, [](void* data, std::size_t i) { (*static_cast<Plain*>(data))(i); }, &body);
+    run(
+        count, [](void* data, std::size_t i) { (*static_cast<Plain*>(data))(i); }, &body);
   }
 
   /// Runs body() so that a library that schedules on oneTBB, as Embree does, stays within our

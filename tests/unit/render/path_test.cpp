@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light transport itself is tested against closed forms in tests/statistical; here the parts that
+// only show from inside.
+#include "render/path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/rooms.h"
+#include "util/error.h"
+
+namespace awd {
+namespace {
+
+TEST(PathSettings, PresetsFillWhatIsOpen) {
+  AWDRenderDesc desc = AWD_RENDER_DESC_INIT;
+  EXPECT_EQ(settle(desc).direct, AWD_DIRECT_WEIGHTED);
+  desc.preset = AWD_PRESET_PAPER;
+  EXPECT_EQ(settle(desc).direct, AWD_DIRECT_AREA);
+  EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ALBEDO);
+  EXPECT_EQ(settle(desc).shadowRays, 4u);
+  desc.shadowRays = 2000;
+  EXPECT_THROW(settle(desc), Error);
+}
+
+TEST(PathTracer, SeesALampAsItIs) {
+  const Ref<Scene> scene = sceneOf(floorAndLamp());
+  const Geometry& g = scene->geometry();
+  PathTracer tracer(std::pmr::get_default_resource(), g, nullptr, PathSettings());
+  RandomStream random(1, 0, 0, 0);
+  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 0.5f}), {0, 0, 1}, random), (Rgb{10, 10, 10}));
+  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 2.0f}), {0, 0, -1}, random), Rgb()) << "its back";
+  EXPECT_EQ(tracer.trace(g.toFrame({5, 5, 5}), {0, 0, 1}, random), Rgb()) << "nothing there";
+  EXPECT_EQ(tracer.shadowRays(), 0u);
+}
+
+// The balance heuristic: what shadow rays and indirect rays count of a lamp adds up, so that the
+// weighted estimate and the one by area agree in the mean. 40,000 paths each; |z| < 4.5 fails with
+// probability 7e-6.
+TEST(PathTracer, WeightsAddUpToOne) {
+  const Ref<Scene> scene = sceneOf(floorAndLamp());
+  const Geometry& g = scene->geometry();
+  double mean[2], error[2];
+  for (int i = 0; i < 2; ++i) {
+    PathSettings settings;
+    settings.guide = AWD_GUIDE_COSINE;
+    settings.direct = i ? AWD_DIRECT_WEIGHTED : AWD_DIRECT_AREA;
+    PathTracer tracer(std::pmr::get_default_resource(), g, nullptr, settings);
+    double sum = 0.0, squares = 0.0;
+    constexpr int kPaths = 40000;
+    for (int s = 0; s < kPaths; ++s) {
+      RandomStream random(2, i, 0, s);
+      const double x = tracer.trace(g.toFrame({0.3f, 0.2f, 0.5f}), {0, 0, -1}, random).x;
+      sum += x;
+      squares += x * x;
+    }
+    mean[i] = sum / kPaths;
+    error[i] = std::sqrt((squares / kPaths - mean[i] * mean[i]) / kPaths);
+  }
+  EXPECT_LT(std::abs(mean[0] - mean[1]), 4.5 * std::hypot(error[0], error[1]));
+  EXPECT_GT(mean[0], 0.1);
+}
+
+}  // namespace
+}  // namespace awd
