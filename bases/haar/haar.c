@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The Haar basis: N_j is 1 on cell j of 2^level equal cells, and 0 elsewhere. README.md has the
+ * formulas.
+ */
+#include "awd/basis.h"
+
+static double cellsOf(uint32_t level) { return (double)((uint32_t)1 << level); }
+
+static uint32_t AWD_CALL count(uint32_t level) { return (uint32_t)1 << level; }
+
+static void AWD_CALL support(uint32_t level, uint32_t j, double ab[2]) {
+  ab[0] = j / cellsOf(level);
+  ab[1] = (j + 1.0) / cellsOf(level);
+}
+
+static double AWD_CALL weight(uint32_t level, uint32_t j) {
+  (void)j;
+  return 1.0 / cellsOf(level);
+}
+
+static uint32_t AWD_CALL eval(uint32_t level, double x, uint32_t* first, double* values) {
+  const uint32_t cell = (uint32_t)(x * cellsOf(level));
+  *first = cell < count(level) ? cell : count(level) - 1; /* x = 1 is in the last cell */
+  values[0] = 1.0;
+  return 1;
+}
+
+static double AWD_CALL sample(uint32_t level, uint32_t j, const double* u) {
+  return (j + u[0]) / cellsOf(level);
+}
+
+static uint32_t AWD_CALL twoScale(uint32_t level, uint32_t j, uint32_t* first, double* h) {
+  (void)level;
+  *first = 2 * j;
+  h[0] = 1.0;
+  h[1] = 1.0;
+  return 2;
+}
+
+static const AWDBasisFamily haar = {sizeof(AWDBasisFamily),
+                                    "haar",
+                                    "Piecewise constant on 2^level cells",
+                                    AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED,
+                                    1, /* order */
+                                    1, /* uniforms */
+                                    0, /* levels */
+                                    AWD_BASIS_MAX_LEVEL,
+                                    count,
+                                    count,
+                                    support,
+                                    weight,
+                                    eval,
+                                    sample,
+                                    twoScale};
+
+static const AWDBasisFamily* const families[] = {&haar};
+
+static const AWDBasisModule module = {sizeof(AWDBasisModule), AWD_BASIS_ABI, 1, "0.1.0",
+                                      "Apache-2.0",           families};
+
+AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host) {
+  return host->abi == AWD_BASIS_ABI ? &module : NULL;
+}

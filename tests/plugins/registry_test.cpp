@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// Modules by path and from memory, names, and the listing.
+#include <cstring>
+#include <thread>
+
+#include "honest.h"
+#include "support.h"
+
+namespace {
+
+TEST(Modules, LoadByPath) {
+  const test::Device device;
+  ASSERT_EQ(awdLoadBasisModule(device, AWD_HONEST_FILE), AWD_SUCCESS) << awdGetLastErrorMessage();
+  const std::vector<test::Info> lines = test::listing(device);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0].name, "haar");
+  EXPECT_EQ(lines[0].file, AWD_HAAR_FILE);
+  EXPECT_EQ(lines[0].flags, AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED);
+  EXPECT_EQ(lines[0].order, 1u);
+  EXPECT_EQ(lines[0].minLevel, 0u);
+  EXPECT_EQ(lines[0].maxLevel, AWD_BASIS_MAX_LEVEL);
+  EXPECT_EQ(lines[1].name, "test-linear");
+  EXPECT_EQ(lines[2].name, "test-linear-periodic");
+  EXPECT_EQ(lines[2].flags, AWD_BASIS_PERIODIC);
+  EXPECT_EQ(lines[3].name, "test-quadratic");
+  EXPECT_EQ(lines[3].order, 3u);
+  EXPECT_EQ(lines[3].maxLevel, 12u);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(lines[i].file, AWD_HONEST_FILE);
+    EXPECT_EQ(lines[i].status, AWD_SUCCESS);
+    EXPECT_EQ(lines[i].message, "");
+  }
+  // The same file again changes nothing.
+  EXPECT_EQ(awdLoadBasisModule(device, AWD_HONEST_FILE), AWD_SUCCESS);
+  EXPECT_EQ(test::listing(device).size(), 4u);
+}
+
+TEST(Modules, ARelativePathIsRefused) {
+  const test::Device device;
+  EXPECT_EQ(awdLoadBasisModule(device, "haar.so"), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_STREQ(awdGetLastErrorMessage(),
+               "awdLoadBasisModule: absolutePath \"haar.so\" is not absolute: give the whole path, "
+               "from '/' on");
+  EXPECT_EQ(awdLoadBasisModule(device, ""), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(awdLoadBasisModule(device, nullptr), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(test::listing(device).size(), 1u) << "no candidate was refused";
+}
+
+TEST(Modules, RegisterFromMemory) {
+  const test::Device device;
+  ASSERT_EQ(awdRegisterBasisModule(device, honestModule()), AWD_SUCCESS)
+      << awdGetLastErrorMessage();
+  const std::vector<test::Info> lines = test::listing(device);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[1].name, "test-linear");
+  EXPECT_EQ(lines[1].file, "");
+}
+
+TEST(Modules, TheFirstOfANameWins) {
+  const test::Device device;
+  ASSERT_EQ(awdRegisterBasisModule(device, honestModule()), AWD_SUCCESS);
+  EXPECT_EQ(awdLoadBasisModule(device, AWD_HONEST_FILE), AWD_ERROR_PLUGIN_NAME_TAKEN);
+  EXPECT_TRUE(test::contains(awdGetLastErrorMessage(),
+                             "basis \"test-linear\": the name is taken by a family in memory"))
+      << awdGetLastErrorMessage();
+  const std::vector<test::Info> lines = test::listing(device);
+  ASSERT_EQ(lines.size(), 7u);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(lines[i].file, "");
+  for (std::size_t i = 4; i < 7; ++i) {
+    EXPECT_EQ(lines[i].file, AWD_HONEST_FILE);
+    EXPECT_EQ(lines[i].status, AWD_ERROR_PLUGIN_NAME_TAKEN);
+  }
+}
+
+TEST(Modules, AllFamiliesOrNone) {
+  const AWDBasisModule& honest = *honestModule();
+  AWDBasisFamily bad = *honest.families[1];
+  bad.weight = [](uint32_t, uint32_t) { return 0.125; };
+  const AWDBasisFamily* const families[] = {honest.families[0], &bad};
+  AWDBasisModule module = honest;
+  module.families = families;
+  module.familyCount = 2;
+  const test::Device device;
+  EXPECT_EQ(awdRegisterBasisModule(device, &module), AWD_ERROR_PLUGIN_SELF_TEST);
+  EXPECT_STREQ(
+      awdGetLastErrorMessage(),
+      "awdRegisterBasisModule: basis \"test-linear-periodic\": weight is not the integral: "
+      "level 0, function 0: got 0.125, want 1");
+  EXPECT_EQ(test::names(device), "haar");
+  ASSERT_EQ(test::listing(device).size(), 2u);
+  EXPECT_EQ(test::listing(device)[1].name, "test-linear-periodic");
+
+  // Twice the same name within a module.
+  const AWDBasisFamily* const twice[] = {honest.families[0], honest.families[0]};
+  module.families = twice;
+  EXPECT_EQ(awdRegisterBasisModule(device, &module), AWD_ERROR_PLUGIN_NAME_TAKEN);
+  EXPECT_EQ(test::names(device), "haar");
+}
+
+TEST(Modules, TablesOfAnotherInterfaceAreRefused) {
+  const test::Device device;
+  const AWDBasisModule& honest = *honestModule();
+  const auto refused = [&](const AWDBasisModule& module, const char* sentence) {
+    EXPECT_EQ(awdRegisterBasisModule(device, &module), AWD_ERROR_PLUGIN_ABI);
+    EXPECT_TRUE(test::contains(awdGetLastErrorMessage(), sentence)) << awdGetLastErrorMessage();
+  };
+  AWDBasisModule module = honest;
+  module.abi = 0;
+  refused(module, "basis ABI 0");
+  module = honest;
+  module.structSize = 8;
+  refused(module, "AWDBasisModule has structSize 8");
+  module.structSize = SIZE_MAX;
+  refused(module, "AWDBasisModule has structSize");
+  module = honest;
+  module.familyCount = 0;
+  refused(module, "0 families");
+  module.familyCount = 257;
+  refused(module, "257 families");
+  module = honest;
+  module.families = nullptr;
+  refused(module, "NULL");
+  const AWDBasisFamily* const none[] = {nullptr};
+  module.families = none;
+  module.familyCount = 1;
+  refused(module, "families[0] is NULL");
+
+  // A longer table of a newer header: fine unless it uses what we don't know.
+  struct Longer {
+    AWDBasisFamily family;
+    void* newer[2];
+  } longer = {*honest.families[0], {nullptr, nullptr}};
+  longer.family.structSize = sizeof longer;
+  const AWDBasisFamily* const one[] = {&longer.family};
+  module.families = one;
+  longer.newer[1] = &longer;
+  refused(module, "uses a field at byte");
+  longer.newer[1] = nullptr;
+  EXPECT_EQ(awdRegisterBasisModule(device, &module), AWD_SUCCESS) << awdGetLastErrorMessage();
+  EXPECT_EQ(test::names(device), "haar test-linear");
+  EXPECT_EQ(awdRegisterBasisModule(device, nullptr), AWD_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(Modules, TwoDevicesShareNothing) {
+  const test::Device a, b;
+  ASSERT_EQ(awdLoadBasisModule(a, AWD_HONEST_FILE), AWD_SUCCESS);
+  EXPECT_EQ(test::names(b), "haar");
+  ASSERT_EQ(awdLoadBasisModule(b, AWD_HONEST_FILE), AWD_SUCCESS);
+  EXPECT_EQ(test::names(a), test::names(b));
+}
+
+TEST(Modules, FromManyThreadsAtOnce) {
+  const test::Device device;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      EXPECT_EQ(awdLoadBasisModule(device, AWD_HONEST_FILE), AWD_SUCCESS);
+      EXPECT_EQ(awdLoadBasisModule(device, AWD_LYING_FOLDER "/nan.so"), AWD_ERROR_PLUGIN_SELF_TEST);
+      EXPECT_FALSE(test::names(device).empty());
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(test::names(device), "haar test-linear test-linear-periodic test-quadratic");
+  EXPECT_EQ(test::listing(device).size(), 5u);
+}
+
+TEST(Listing, ArgumentsAreChecked) {
+  const test::Device device;
+  std::size_t count = 7;
+  EXPECT_EQ(awdGetBasisCount(nullptr, &count), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(count, 0u);
+  EXPECT_EQ(awdGetBasisCount(device, nullptr), AWD_ERROR_INVALID_ARGUMENT);
+  AWDBasisInfo info = AWD_BASIS_INFO_INIT;
+  EXPECT_EQ(awdGetBasisInfo(device, 1, &info), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_STREQ(awdGetLastErrorMessage(), "awdGetBasisInfo: index 1 is not below the count of 1");
+  EXPECT_EQ(awdGetBasisInfo(device, 0, nullptr), AWD_ERROR_INVALID_ARGUMENT);
+  info.structSize = 0;
+  EXPECT_EQ(awdGetBasisInfo(device, 0, &info), AWD_ERROR_INVALID_ARGUMENT);
+  EXPECT_TRUE(test::contains(awdGetLastErrorMessage(), "AWD_BASIS_INFO_INIT"));
+}
+
+TEST(Listing, TextsLiveAsLongAsTheDevice) {
+  const test::Device device;
+  AWDBasisInfo info = AWD_BASIS_INFO_INIT;
+  ASSERT_EQ(awdGetBasisInfo(device, 0, &info), AWD_SUCCESS);
+  ASSERT_EQ(awdRegisterBasisModule(device, honestModule()), AWD_SUCCESS);
+  for (int i = 0; i < 100; ++i) {
+    const std::string file = "/nowhere/" + std::to_string(i) + ".so";
+    EXPECT_EQ(awdLoadBasisModule(device, file.c_str()), AWD_ERROR_PLUGIN_LOAD);
+  }
+  EXPECT_STREQ(info.name, "haar");
+  EXPECT_STREQ(info.file, AWD_HAAR_FILE);
+}
+
+}  // namespace
