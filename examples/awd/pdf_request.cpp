@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pdf_request.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "console.h"
+#include "failure.h"
+
+namespace command {
+namespace {
+
+constexpr uint32_t kImageSize = 256;
+
+/// Takes a number off the front of `text`.
+bool takeNumber(std::string_view& text, uint32_t& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return error == std::errc();
+}
+
+bool hasPatch(const Scene& scene, uint32_t patch) {
+  AWDSceneInfo info = AWD_SCENE_INFO_INIT;
+  check(awdGetSceneInfo(scene.get(), &info));
+  return patch < info.patches;
+}
+
+AWDPatchInfo patchInfo(const Field& field, uint32_t patch) {
+  AWDPatchInfo info = AWD_PATCH_INFO_INIT;
+  check(awdGetPatchInfo(field.get(), patch, &info));
+  return info;
+}
+
+std::string describe(uint32_t patch) {
+  return "patch " + std::to_string(patch & ~AWD_PATCH_BACK) +
+         (patch & AWD_PATCH_BACK ? ", back side" : ", front side");
+}
+
+}  // namespace
+
+PdfRequest::PdfRequest(const std::string& text) : text_("--pdf " + text) {
+  std::string_view rest = text;
+  bool good = takeNumber(rest, patch_);
+  if (good && !rest.empty() && rest.front() == ',') {
+    kind_ = kPixel;
+    x_ = patch_;
+    rest.remove_prefix(1);
+    good = takeNumber(rest, y_);
+  } else if (good && !rest.empty() && rest.front() == 'b') {
+    kind_ = kBackSide;
+    rest.remove_prefix(1);
+  }
+  if (!good || rest.size() < 2 || rest.front() != ':') {
+    throw UsageError(text_ +
+                     ": give PATCH:FILE.png, where PATCH is a number, a number and b for "
+                     "the back side, or X,Y for the patch under a pixel");
+  }
+  file_ = rest.substr(1);
+}
+
+void PdfRequest::resolve(const Scene& scene, const Render& render) {
+  if (kind_ == kPixel) {
+    uint32_t width = 0, height = 0;
+    check(awdGetFilmInfo(render.get(), &width, &height, nullptr));
+    if (x_ >= width || y_ >= height) {
+      throw UsageError(text_ + ": the image has " + std::to_string(width) + " x " +
+                       std::to_string(height) + " pixels");
+    }
+    check(awdGetPixelPatch(render.get(), x_, y_, &patch_));
+    if (patch_ == AWD_INVALID_ID) throw UsageError(text_ + ": nothing is seen in that pixel");
+    return;
+  }
+  if (!hasPatch(scene, patch_)) throw UsageError(text_ + ": the scene has no such patch");
+  if (kind_ == kBackSide) patch_ |= AWD_PATCH_BACK;
+}
+
+void PdfRequest::write(const Field& field) const {
+  uint32_t patch = patch_;
+  if (kind_ == kEitherSide && patchInfo(field, patch).learned == 0 &&
+      patchInfo(field, patch | AWD_PATCH_BACK).learned > 0) {
+    patch |= AWD_PATCH_BACK;
+  }
+  const bool learned = patchInfo(field, patch).learned > 0;
+  note(file_ + ": " + describe(patch) +
+       (learned ? "" : ", which has learned nothing: its start density"));
+  Image image;
+  check(awdNewPatchImage(field.get(), patch, kImageSize, image.out()));
+  check(awdWriteImagePNG(image.get(), file_.c_str(), nullptr));
+}
+
+}  // namespace command

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// --pdf PATCH:FILE: the density of a patch as a picture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "awd_handles.hpp"
+
+namespace command {
+
+class PdfRequest {
+ public:
+  /// PATCH is a number; a number and "b" for the back side; or X,Y for the patch under a pixel.
+  /// Throws a UsageError if it is none of these or FILE is missing.
+  explicit PdfRequest(const std::string& text);
+
+  const std::string& file() const { return file_; }
+
+  /// Finds the patch, before any work is done. Throws a UsageError if there is none.
+  void resolve(const Scene& scene, const Render& render);
+
+  /// Writes the picture. If no side was asked for it shows the front side, or the back side if
+  /// that alone has learned, and notes which.
+  void write(const Field& field) const;
+
+ private:
+  std::string text_, file_;
+  enum { kEitherSide, kBackSide, kPixel } kind_ = kEitherSide;
+  uint32_t x_ = 0, y_ = 0, patch_ = 0;
+};
+
+}  // namespace command

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "awd_handles.hpp"
+#include "camera_choice.h"
+#include "commands.h"
+#include "console.h"
+#include "device.h"
+#include "failure.h"
+#include "interrupt.h"
+#include "progress_bar.h"
+#include "render_options.h"
+#include "scene_loader.h"
+#include "statistics_json.h"
+#include "upload.h"
+#include "write_file.h"
+
+namespace command {
+namespace {
+
+using nlohmann::json;
+
+/// Every file that the run will write, looked at before an hour of work goes into them.
+void checkOutputs(const RenderOptions& options) {
+  checkWritable(options.output);
+  if (options.json) checkWritable(*options.json);
+  for (const PdfRequest& pdf : options.pdfs) checkWritable(pdf.file());
+}
+
+/// None unless the render is adaptive.
+Field makeField(const Device& device, const RenderOptions& options) {
+  Field field;
+  if (!options.isAdaptive()) return field;
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.preset = options.presetValue();
+  desc.basis = options.basis ? options.basis->c_str() : nullptr;
+  if (options.level) desc.maxLevel = AWD_LEVEL(*options.level);
+  check(awdNewField(device.get(), &desc, field.out()));
+  return field;
+}
+
+Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camera,
+                  const RenderOptions& options) {
+  AWDRenderDesc desc = AWD_RENDER_DESC_INIT;
+  desc.camera = &camera;
+  desc.preset = options.presetValue();
+  desc.guide = options.guideValue();
+  desc.shadowRays = options.shadowRays;
+  desc.seed = options.seed;
+  Render render;
+  check(awdNewRender(scene.get(), field.get(), &desc, render.out()));
+  return render;
+}
+
+/// Whether the operation was done; false: it was cancelled.
+bool finished(AWDResult result, const std::string& what) {
+  if (result == AWD_ERROR_CANCELLED) return false;
+  check(result, what);
+  return true;
+}
+
+AWDResult renderPasses(const Render& render, const Schedule& schedule) {
+  AWDSchedule desc = AWD_SCHEDULE_INIT;
+  if (!schedule.samplesPerPass.empty()) {
+    desc.samplesPerPass = schedule.samplesPerPass.data();
+    desc.passCount = static_cast<uint32_t>(schedule.samplesPerPass.size());
+  }
+  desc.totalSamples = schedule.totalSamples;
+  return awdRenderPasses(render.get(), &desc);
+}
+
+std::string fileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+void writeImage(const Render& render, const RenderOptions& options,
+                const std::string& commandLine) {
+  Image image;
+  check(awdNewFilmImage(render.get(), image.out()));
+  check(awdSetImageMetadata(image.get(), "scene", fileName(options.scene).c_str()));
+  check(awdSetImageMetadata(image.get(), "command", commandLine.c_str()));
+  check(awdWriteImageEXR(image.get(), options.output.c_str()));
+}
+
+/// Name of the basis in use; null without one.
+json basisName(const Field& field) {
+  if (!field.get()) return nullptr;
+  AWDPatchInfo info = AWD_PATCH_INFO_INIT;
+  check(awdGetPatchInfo(field.get(), 0, &info));
+  return info.basis;
+}
+
+std::string libraryVersion() {
+  const uint32_t version = awdGetVersion();
+  return std::to_string(version / 10000) + '.' + std::to_string(version / 100 % 100) + '.' +
+         std::to_string(version % 100);
+}
+
+void writeStatistics(const Render& render, const Field& field, const AWDCamera& camera,
+                     const RenderOptions& options) {
+  json statistics = renderStatistics(render);
+  json spp = json::array();
+  for (const json& pass : statistics["passes"]) spp.push_back(pass["samples_per_pixel"]);
+  statistics["version"] = libraryVersion();
+  statistics["settings"] = {{"scene", fileName(options.scene)},
+                            {"width", camera.width},
+                            {"height", camera.height},
+                            {"guide", options.guide},
+                            {"basis", basisName(field)},
+                            {"preset", options.preset},
+                            {"seed", options.seed},
+                            {"spp", spp}};
+  writeFile(*options.json, toText(statistics));
+}
+
+int render(RenderOptions& options, const std::string& commandLine) {
+  checkOutputs(options);
+  ProgressBar bar;
+  bar.setPassCount(options.schedule.samplesPerPass.size());
+  const Device device = openDevice(options.device, &bar);
+  const Field field = makeField(device, options);  // an unknown basis shows before a long load
+
+  const SceneData data = loadScene(options.scene);
+  AWDCamera camera = chooseCamera(options.camera, options.scene, data);
+  resize(camera, options.width, options.height);
+  const Scene scene = uploadScene(device, data, options.scene);
+  catchInterrupt();
+  if (!finished(awdCommitScene(scene.get()), options.scene)) {
+    complain("interrupted before the first pass had ended: nothing is written");
+    return kInterrupted;
+  }
+
+  const Render render = makeRender(scene, field, camera, options);
+  for (PdfRequest& pdf : options.pdfs) pdf.resolve(scene, render);
+  const bool complete = finished(renderPasses(render, options.schedule), options.scene);
+  clearStatus();
+  if (!complete) {
+    uint32_t passes = 0;
+    check(awdGetPassCount(render.get(), &passes));
+    complain(passes == 0
+                 ? "interrupted before the first pass had ended: nothing is written"
+                 : "interrupted: only finished passes are written, " + std::to_string(passes));
+    if (passes == 0) return kInterrupted;
+  }
+  writeImage(render, options, commandLine);
+  for (const PdfRequest& pdf : options.pdfs) pdf.write(field);
+  if (options.json) writeStatistics(render, field, camera, options);
+  return complete ? kDone : kInterrupted;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& action, const std::string& commandLine) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = program.add_subcommand("render", "Render a scene file to an OpenEXR image");
+  options->describe(*command);
+  command->footer(
+      "OBJ: Kd is the albedo, Ke the radiance that the front side emits. glTF: baseColorFactor, "
+      "and\n"
+      "emissiveFactor times emissiveStrength. Ctrl-C ends the run early; the passes finished by "
+      "then\n"
+      "are written.");
+  command->callback([&action, options, commandLine] {
+    options->finish();
+    action = [options, commandLine] { return render(*options, commandLine); };
+  });
+}
+
+}  // namespace command

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_options.h"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+
+#include "failure.h"
+
+namespace command {
+
+void RenderOptions::describe(CLI::App& command) {
+  const CLI::Range sides(1, 65536);
+  command.add_option("SCENE", scene, "Scene: .obj, .gltf or .glb")->required();
+  command.add_option("-o,--output", output, "OpenEXR file to write")->required();
+  command.add_option("--camera", camera,
+                     "JSON with eye, look_dir, up, tan_half_fov_x, width, height.\n"
+                     "Without it: <scene>.camera.json beside the scene, or the\n"
+                     "scene's own camera, or a view of the whole scene");
+  command.add_option("--width", width, "Pixels; without the other side the ratio is kept")
+      ->check(sides);
+  command.add_option("--height", height, "Likewise")->check(sides);
+  command.add_option("--guide", guide, "Where indirect rays go")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"uniform", "cosine", "adaptive"}));
+  command.add_option("--basis", basis, "Basis of adaptive densities, see `awd bases`");
+  command.add_option("--level", level, "Finest level of adaptive densities")
+      ->check(CLI::Range(0, 20));
+  command.add_option("--preset", preset, "paper: Pietrek and Peter 1999 to the letter")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"paper", "default"}));
+  command.add_option("--passes", passes, "Number of passes, with --spp")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--spp", spp,
+                     "Samples per pixel of each pass, N1,...,NK, or one number for\n"
+                     "all. Without it and --samples: the preset's schedule");
+  command.add_option("--samples", samples, "Samples per pixel in all, divided by the library")
+      ->check(CLI::Range(1u, std::numeric_limits<uint32_t>::max()));
+  command.add_option("--seed", seed, "Another seed, another noise")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--threads", device.threads, "0: all that there are")
+      ->check(CLI::Range(0, 65536));
+  command.add_option("--shadow-rays", shadowRays, "Per light and vertex")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--json", json, "Write statistics of each pass and of all to this file");
+  command
+      .add_option("--pdf", pdfTexts,
+                  "PATCH:FILE.png: the density of a patch in the last pass. PATCH\n"
+                  "is a number, with b after it for the back side, or X,Y for the\n"
+                  "patch under a pixel. May be repeated")
+      ->allow_extra_args(false);
+  command
+      .add_option("--basis-path", device.basisPaths,
+                  "Look for bases in this folder first. May be repeated")
+      ->allow_extra_args(false);
+}
+
+void RenderOptions::finish() {
+  schedule = makeSchedule(passes, spp, samples);
+  for (const std::string& text : pdfTexts) pdfs.emplace_back(text);
+  if (!pdfs.empty() && !isAdaptive()) {
+    throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);
+  }
+}
+
+AWDGuide RenderOptions::guideValue() const {
+  if (guide == "uniform") return AWD_GUIDE_UNIFORM;
+  return guide == "cosine" ? AWD_GUIDE_COSINE : AWD_GUIDE_ADAPTIVE;
+}
+
+AWDPreset RenderOptions::presetValue() const {
+  return preset == "paper" ? AWD_PRESET_PAPER : AWD_PRESET_DEFAULT;
+}
+
+}  // namespace command

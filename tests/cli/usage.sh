@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+# Help, version, and every error that the command line itself can hold.
+source "$(dirname "$0")/harness.sh" "$@"
+box=$scenes/box.obj
+small="--width 8 --height 8"
+
+succeeds "$awd" --help
+for subcommand in render png compare bases; do
+  grep -q "^  $subcommand" out || complain "--help does not list $subcommand"
+done
+succeeds "$awd" render --help
+for option in output camera width height guide basis level preset passes spp samples seed threads \
+  shadow-rays json pdf basis-path; do
+  grep -q -- "--$option" out || complain "render --help does not list --$option"
+done
+succeeds "$awd" --version
+grep -qx 'awd [0-9]*\.[0-9]*\.[0-9]*' out || complain "no version"
+
+fails 2 "say what to do" "$awd"
+fails 2 "paint" "$awd" paint
+fails 2 "SCENE" "$awd" render -o out.exr
+fails 2 "--output" "$awd" render "$box"
+fails 2 "--frobnicate" "$awd" render "$box" -o out.exr --frobnicate
+fails 2 "extra.obj" "$awd" render "$box" extra.obj -o out.exr
+fails 2 "OUT" "$awd" png film.exr
+fails 2 "REF" "$awd" compare a.exr
+fails 2 "nonsense" "$awd" bases nonsense
+
+render="$awd render $box -o out.exr $small"
+fails 2 "--guide" $render --guide bsdf
+fails 2 "--preset" $render --preset best
+for value in 0 -1 65537 1.5 x; do
+  fails 2 "--width" "$awd" render "$box" -o out.exr --width "$value"
+  fails 2 "--height" "$awd" render "$box" -o out.exr --height "$value"
+done
+for value in -1 21 x; do fails 2 "--level" $render --level "$value"; done
+for value in 0 -1 x; do fails 2 "--passes" $render --spp 1 --passes "$value"; done
+for value in 0 -1 4294967296 x; do fails 2 "--samples" $render --samples "$value"; done
+for value in 0 -1 1025 x; do fails 2 "--shadow-rays" $render --shadow-rays "$value"; done
+for value in -1 x; do
+  fails 2 "--threads" $render --threads "$value"
+  fails 2 "--seed" $render --seed "$value"
+done
+for value in 0 x 4,,4 4, 1.5 4294967296; do fails 2 "--spp" $render --spp "$value"; done
+
+fails 2 "--spp 1,2,3 has 3 numbers for --passes 2" $render --spp 1,2,3 --passes 2
+fails 2 "it can't be used with --spp" $render --spp 4 --samples 4
+fails 2 "it can't be used with --passes" $render --passes 4 --samples 4
+fails 2 "--passes needs --spp" $render --passes 4
+
+fails 2 "--pdf x" $render --spp 1 --pdf x
+fails 2 "--pdf 5" $render --spp 1 --pdf 5
+fails 2 "none with --guide cosine" $render --spp 1 --guide cosine --pdf 0:p.png
+fails 2 "none with --guide uniform" $render --spp 1 --guide uniform --pdf 0:p.png
+fails 2 "the image has 8 x 8 pixels" $render --spp 1 --pdf 8,0:p.png
+fails 2 "the scene has no such patch" $render --spp 1 --pdf 1000000:p.png
+
+fails 1 '"spiral"' $render --spp 1 --basis spiral
+for value in 1e5 x nan; do fails 2 "--exposure" "$awd" png a.exr b.png --exposure "$value"; done
+
+absent out.exr
+absent p.png
+finish
