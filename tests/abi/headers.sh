@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Every public header compiles alone, twice in a row, in one language with one compiler; and so
+# does every ..._INIT macro.
+#   headers.sh <compiler> <c99|c++17|...> <include folder>
+set -euo pipefail
+compiler=$1 standard=$2 include=$3
+
+language=c flags=(-Wstrict-prototypes)
+if [[ $standard == c++* ]]; then language=c++ flags=(); fi
+
+compile() {
+  "$compiler" "-std=$standard" -x "$language" -fsyntax-only -pedantic -Wall -Wextra -Werror \
+    "${flags[@]}" -I "$include" -
+}
+
+headers=0
+for header in "$include"/awd/*.h; do
+  name=awd/${header##*/}
+  printf '#include "%s"\n#include "%s"\nint main(void) { return 0; }\n' "$name" "$name" | compile ||
+    { echo "$name does not compile alone as $standard with $compiler"; exit 1; }
+  headers=$((headers + 1))
+done
+[[ $headers -ge 7 ]] || { echo "only $headers headers in $include/awd"; exit 1; }
+
+# A macro's form for C++ begins with the name of its type.
+macros=0
+program='#include "awd/awd.h"'$'\n''int main(void) {'$'\n'
+while read -r macro type; do
+  program+="  { $type value = $macro; (void)value; }"$'\n'
+  macros=$((macros + 1))
+done < <(cat "$include"/awd/*.h | tr -d '\\' | tr '\n' ' ' |
+  grep -oE '#define AWD_[A-Z_]+_INIT +AWD[A-Za-z]+ *\{' | awk '{ print $2, $3 }')
+[[ $macros -ge 3 ]] || { echo "only $macros ..._INIT macros found"; exit 1; }
+compile <<<"$program  return 0; }" || { echo "an ..._INIT macro is wrong in $standard"; exit 1; }

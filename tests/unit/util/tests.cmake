@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+awd_unit_test(util
+  atomic_file_test.cpp
+  context_test.cpp
+  error_test.cpp
+  memory_test.cpp
+  parallel_test.cpp
+  random_test.cpp
+  ref_test.cpp
+  vec_test.cpp)
