@@ -6,7 +6,8 @@
  * A family is a ladder of bases N_0 .. N_{n-1} of non-negative functions on [0,1], one rung a
  * level, that
  *   - sum to 1 (partition of unity),
- *   - are polynomials of degree < order on each of cells(level) equal cells,
+ *   - are polynomials of degree < order on each of cells(level) equal cells, with non-negative
+ *     Bernstein coefficients there,
  *   - refine: every function of a level is a non-negative combination of those of the next.
  * With w_j = int N_j, N_j / w_j is a pdf (eq. 3 of Pietrek and Peter 1999).
  *
@@ -31,8 +32,10 @@ extern "C" {
 /* Flags of a family. */
 enum {
   AWD_BASIS_ORTHOGONAL = 1u, /* int N_j N_k = 0 for j != k */
-  AWD_BASIS_PERIODIC = 2u,   /* indices run modulo count(level) */
-  AWD_BASIS_NESTED = 4u      /* each support lies in one dyadic cell: tree densities allowed */
+  /* Indices run modulo count(level); a shift by one cell shifts them by count / cells. */
+  AWD_BASIS_PERIODIC = 2u,
+  /* Each support lies in one dyadic cell of size 2^-level: tree densities allowed. */
+  AWD_BASIS_NESTED = 4u
 };
 
 typedef struct AWDBasisFamily {

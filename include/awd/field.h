@@ -34,8 +34,7 @@ typedef struct AWDFieldDesc {
   uint32_t startLevel; /* AWD_LEVEL(l) of a density's first pass, or 0 */
   uint32_t maxLevel;   /* AWD_LEVEL(l) beyond which nothing is refined, or 0 */
   /* Coefficients below tau times the mean density are raised to it, 0 < tau <= 1; 0: the
-     preset's (paper: 0.05; default: 1 / (1 + samples per coefficient) within [0.01, 0.3]);
-     negative: no floor, which risks infinite variance. */
+     preset's (paper: 0.05; default: 0.3); negative: no floor, which risks infinite variance. */
   double tau;
 } AWDFieldDesc;
 

@@ -65,6 +65,7 @@ enum {
    divided by it. After 64 vertices q <= 0.95. */
 typedef int32_t AWDRoulette;
 enum {
+  /* By albedo; by throughput with AWD_GUIDE_UNIFORM, whose weights would else grow without end. */
   AWD_ROULETTE_DEFAULT = 0,
   AWD_ROULETTE_ALBEDO = 1,    /* q = largest component of the albedo */
   AWD_ROULETTE_THROUGHPUT = 2 /* q = largest component of throughput times albedo, at most 1 */

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <new>
+#include <stdexcept>
 
 #include "awd/types.h"
 #include "util/error.h"
@@ -24,6 +25,9 @@ AWDResult guard(const char* function, Body&& body) noexcept {
     return error.code();
   } catch (const std::bad_alloc&) {
     setLastError(function, "out of memory");
+    return AWD_ERROR_OUT_OF_MEMORY;
+  } catch (const std::length_error&) {
+    setLastError(function, "out of memory: more was asked for than can be addressed");
     return AWD_ERROR_OUT_OF_MEMORY;
   } catch (const std::exception& error) {
     setLastError(function, error.what());

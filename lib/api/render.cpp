@@ -47,6 +47,9 @@ AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field, const AWDRenderD
     settings.camera = &camera;
     settle(settings);  // bad settings are told before a field is made
     const Ref<Geometry> geometry = known.shareGeometry();
+    if (field && &behind(field)->context() != &known.device().context()) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "field is of another device than scene");
+    }
     Ref<Field> learner;
     if (settings.guide == AWD_GUIDE_ADAPTIVE) {
       learner = field ? Ref<Field>::share(behind(field)) : ownField(known, settings.preset);

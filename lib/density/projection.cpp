@@ -27,10 +27,6 @@ std::pmr::vector<double> project(std::pmr::memory_resource* memory, const BasisL
   return c;
 }
 
-double defaultFloor(double samplesPerCoefficient) {
-  return std::clamp(1.0 / (1.0 + samplesPerCoefficient), 0.01, 0.3);
-}
-
 bool clampCoefficients(const BasisLevel& level, double tau,
                        std::pmr::vector<double>& coefficients) {
   const uint32_t n = level.count;

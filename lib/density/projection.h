@@ -18,10 +18,6 @@ namespace awd {
 std::pmr::vector<double> project(std::pmr::memory_resource* memory, const BasisLevel& level,
                                  const GramSolver& gram, const SquareStatistics& statistics);
 
-/// How low a coefficient may fall relative to the mean of the density when nothing else was asked
-/// for: much is kept where samples are few. 1 / (1 + m/n) within [0.01, 0.3].
-double defaultFloor(double samplesPerCoefficient);
-
 /// Raises coefficients below tau times the mean of max(c, 0); tau <= 0: negative ones to 0. False
 /// if there is no usable mean: all zero, or not finite.
 bool clampCoefficients(const BasisLevel& level, double tau, std::pmr::vector<double>& coefficients);

@@ -60,7 +60,14 @@ void SquareStatistics::record(std::size_t component, double value) noexcept {
     units = kLargestUnits;
     saturated_.fetch_add(1, kOrder);
   }
-  cell.sum.fetch_add(std::llrint(units), kOrder);
+  accumulate(cell, std::llrint(units));
+}
+
+void SquareStatistics::accumulate(Cell& cell, int64_t units) noexcept {
+  // Sums only grow: in whatever order, exactly one addition takes them past the end.
+  const int64_t before = cell.sum.fetch_add(units, kOrder);
+  int64_t after;
+  if (__builtin_add_overflow(before, units, &after)) overflowed_.store(true, kOrder);
 }
 
 double SquareStatistics::sum(std::size_t component) const {
@@ -80,17 +87,13 @@ double SquareStatistics::largest() const {
   return value;
 }
 
-bool SquareStatistics::overflowed() const {
-  return std::any_of(cells_, cells_ + components_,
-                     [](const Cell& cell) { return cell.sum.load(kOrder) < 0; });
-}
-
 void SquareStatistics::clear() noexcept {
   for (std::size_t i = 0; i < components_; ++i) {
     cells_[i].count.store(0, kOrder);
     cells_[i].sum.store(0, kOrder);
   }
   largestBits_.store(0, kOrder);
+  overflowed_.store(false, kOrder);
   rejected_.store(0, kOrder);
   saturated_.store(0, kOrder);
 }
@@ -98,8 +101,9 @@ void SquareStatistics::clear() noexcept {
 void SquareStatistics::add(const SquareStatistics& other) noexcept {
   for (std::size_t i = 0; i < components_; ++i) {
     cells_[i].count.fetch_add(other.cells_[i].count.load(kOrder), kOrder);
-    cells_[i].sum.fetch_add(other.cells_[i].sum.load(kOrder), kOrder);
+    accumulate(cells_[i], other.cells_[i].sum.load(kOrder));
   }
+  if (other.overflowed()) overflowed_.store(true, kOrder);
   largestBits_.store(std::max(largestBits_.load(kOrder), other.largestBits_.load(kOrder)), kOrder);
   rejected_.fetch_add(other.rejected_.load(kOrder), kOrder);
   saturated_.fetch_add(other.saturated_.load(kOrder), kOrder);

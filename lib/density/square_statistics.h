@@ -28,14 +28,14 @@ class SquareStatistics {
 
   std::size_t components() const { return components_; }
   uint64_t count(std::size_t component) const { return cells_[component].count.load(kOrder); }
-  /// Sum of a component's values. Negative if it has overflowed.
+  /// Sum of a component's values; means nothing once a sum has overflowed.
   double sum(std::size_t component) const;
   uint64_t samples() const;
   uint64_t rejected() const { return rejected_.load(kOrder); }
   uint64_t saturated() const { return saturated_.load(kOrder); }
   /// The largest value recorded, before clamping.
   double largest() const;
-  bool overflowed() const;
+  bool overflowed() const { return overflowed_.load(kOrder); }
 
   /// Adds another pass's figures, in the same unit.
   void add(const SquareStatistics& other) noexcept;
@@ -51,12 +51,15 @@ class SquareStatistics {
     std::atomic<int64_t> sum{0};
   };
 
+  void accumulate(Cell& cell, int64_t units) noexcept;
+
   std::pmr::memory_resource* memory_;
   Cell* cells_;
   std::size_t components_;
   int unitExponent_;
   double scale_;  ///< 2^-unitExponent, or 0 if that is out of range: then ldexp is used
   std::atomic<uint64_t> largestBits_{0};
+  std::atomic<bool> overflowed_{false};
   std::atomic<uint64_t> rejected_{0};
   std::atomic<uint64_t> saturated_{0};
 };

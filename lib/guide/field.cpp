@@ -15,19 +15,27 @@ namespace {
 
 // The paper's settings, and ours where they differ.
 constexpr uint32_t kStartLevel = 2;
-constexpr uint32_t kMaxLevel = 4;
+constexpr uint32_t kPaperMaxLevel = 4;
+constexpr uint32_t kDefaultMaxLevel = 3;
+/// A density of a level has some 4^level coefficients: beyond this one they don't fit anywhere.
+constexpr uint32_t kFinestLevel = 12;
 constexpr double kPaperTau = 0.05;
+/// High, since one density serves a whole piece of surface, whose places see different light. With
+/// the concentric-cosine map the floor is a share of cosine sampling.
+constexpr double kDefaultTau = 0.3;
 /// By default a patch is refined only when the finer level would have had this many samples a
 /// coefficient: below that its noise costs more than its detail brings.
 constexpr uint64_t kSamplesPerCoefficient = 8;
 
 uint32_t settleLevel(uint32_t asked, const char* name, uint32_t preset,
                      const AWDBasisFamily& family) {
-  if (asked == 0) return std::clamp(preset, family.minLevel, family.maxLevel);
+  const uint32_t finest = std::min(family.maxLevel, std::max(family.minLevel, kFinestLevel));
+  if (asked == 0) return std::clamp(preset, family.minLevel, finest);
   const uint32_t level = asked - 1;
-  if (level < family.minLevel || level > family.maxLevel) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "%s is level %u: basis \"%s\" has levels %u to %u", name,
-         level, family.name, family.minLevel, family.maxLevel);
+  if (level < family.minLevel || level > finest) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "%s is level %u: fields with basis \"%s\" have levels %u to %u", name, level, family.name,
+         family.minLevel, finest);
   }
   return level;
 }
@@ -58,7 +66,8 @@ FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
   settings.map = desc.map != AWD_MAP_DEFAULT ? desc.map
                  : paper                     ? AWD_MAP_SPHERICAL
                                              : AWD_MAP_CONCENTRIC_COSINE;
-  settings.maxLevel = settleLevel(desc.maxLevel, "desc->maxLevel", kMaxLevel, family);
+  settings.maxLevel = settleLevel(desc.maxLevel, "desc->maxLevel",
+                                  paper ? kPaperMaxLevel : kDefaultMaxLevel, family);
   settings.startLevel = settleLevel(desc.startLevel, "desc->startLevel", kStartLevel, family);
   if (settings.startLevel > settings.maxLevel) {
     // An explicit bound at one end moves the preset's value at the other.
@@ -69,7 +78,7 @@ FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
     (desc.startLevel ? settings.maxLevel : settings.startLevel) =
         desc.startLevel ? settings.startLevel : settings.maxLevel;
   }
-  settings.tau = desc.tau == 0.0 && paper ? kPaperTau : desc.tau;
+  settings.tau = desc.tau != 0.0 ? desc.tau : paper ? kPaperTau : kDefaultTau;
   return settings;
 }
 
@@ -166,13 +175,8 @@ Owned<SquareDensity> Field::learn(const SquareStatistics& statistics,
 
   std::pmr::vector<double> c =
       project(memory, level, grams_[level.level - family_.minLevel()], statistics);
-  const uint64_t samples = statistics.samples();
-  const double tau =
-      settings_.tau != 0.0
-          ? settings_.tau
-          : defaultFloor(static_cast<double>(samples) / static_cast<double>(c.size()));
-  if (!clampCoefficients(level, tau, c)) return none;
-  if (!finerIsDue(level.level, samples)) {
+  if (!clampCoefficients(level, settings_.tau, c)) return none;
+  if (!finerIsDue(level.level, statistics.samples())) {
     return makeOwned<SquareDensity>(memory, level, std::move(c));
   }
   const BasisLevel& fine = family_.level(level.level + 1);

@@ -21,7 +21,7 @@ struct FieldSettings {
   AWDHemisphereMap map = AWD_MAP_DEFAULT;
   uint32_t startLevel = 0;
   uint32_t maxLevel = 0;
-  double tau = 0.0;  ///< < 0: none; 0: by samples per coefficient
+  double tau = 0.0;  ///< <= 0: no floor
 };
 
 /// Settles what `desc` leaves open, within the levels that the family has. AWD_ERROR_... for what

@@ -39,9 +39,12 @@ PathSettings settle(const AWDRenderDesc& desc) {
   PathSettings settings;
   settings.guide = desc.guide;
   settings.direct = desc.direct ? desc.direct : paper ? AWD_DIRECT_AREA : AWD_DIRECT_WEIGHTED;
+  // Uniform sampling has weights up to 2 albedo: roulette by albedo alone lets them multiply to
+  // an infinite variance from albedo 3/4 on (second moment 4 albedo / 3 a vertex).
+  const bool spread = desc.guide == AWD_GUIDE_UNIFORM && !paper;
   settings.roulette = desc.roulette ? desc.roulette
-                      : paper       ? AWD_ROULETTE_ALBEDO
-                                    : AWD_ROULETTE_THROUGHPUT;
+                      : spread      ? AWD_ROULETTE_THROUGHPUT
+                                    : AWD_ROULETTE_ALBEDO;
   settings.shadowRays = desc.shadowRays ? desc.shadowRays : kShadowRays;
   settings.maxLights = desc.maxLights ? desc.maxLights : kMaxLights;
   return settings;

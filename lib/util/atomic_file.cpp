@@ -9,12 +9,22 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "util/error.h"
 
 namespace awd {
 
-AtomicFile::AtomicFile(const char* path) : path_(path), temporary_(path_ + ".XXXXXX") {
+AtomicFile::AtomicFile(const char* path) : path_(path) {
+  // A link stays one: what it leads to is replaced. A device or folder must not be replaced.
+  if (const std::unique_ptr<char, void (*)(void*)> real{realpath(path, nullptr), std::free}) {
+    path_ = real.get();
+  }
+  struct stat present = {};
+  if (stat(path_.c_str(), &present) == 0 && !S_ISREG(present.st_mode)) {
+    fail(AWD_ERROR_IO, "can't write \"%s\": it is not a file", path);
+  }
+  temporary_ = path_ + ".XXXXXX";
   descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
   if (descriptor_ < 0) failed("create a file beside");
   // mkstemp makes private files; ours are as public as the umask says.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #ifdef AWD_TBB
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -87,7 +88,9 @@ void runOnThreads(unsigned threads, std::size_t count, Loop& loop) {
 
 #ifdef AWD_TBB
 struct Parallel::Arena {
-  explicit Arena(unsigned threads) : arena(static_cast<int>(threads)) {}
+  // Beyond the threads that oneTBB has it would run no more of them, but print a warning.
+  explicit Arena(unsigned threads)
+      : arena(std::min(static_cast<int>(threads), tbb::info::default_concurrency())) {}
   tbb::task_arena arena;
 };
 #else

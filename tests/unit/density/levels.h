@@ -10,7 +10,7 @@
 
 #include "awd/basis.h"
 #include "basis/family.h"
-#include "plugins/honest.h"
+#include "honest.h"
 
 /// The entry point of the Haar plugin, renamed for these tests so that it can be linked in.
 extern "C" const AWDBasisModule* haarModule(const AWDBasisHost* host);

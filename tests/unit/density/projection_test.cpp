@@ -132,11 +132,5 @@ TEST(Refine, IsTheSameFunction) {
   }
 }
 
-TEST(DefaultFloor, FallsWithSamples) {
-  EXPECT_EQ(defaultFloor(0.0), 0.3);
-  EXPECT_NEAR(defaultFloor(9.0), 0.1, 1e-15);
-  EXPECT_EQ(defaultFloor(1e6), 0.01);
-}
-
 }  // namespace
 }  // namespace awd

@@ -39,7 +39,7 @@ TEST(SquareDensity, IntegratesToOne) {
     double sum = 0.0;
     for (int i = 0; i < kGrid; ++i) {
       for (int k = 0; k < kGrid; ++k) {
-        sum += density.pdf((i + 0.5f) / kGrid, (k + 0.5f) / kGrid);
+        sum += density.pdf((float(i) + 0.5f) / kGrid, (float(k) + 0.5f) / kGrid);
       }
     }
     EXPECT_NEAR(sum / (kGrid * kGrid), 1.0, 1e-5) << name;

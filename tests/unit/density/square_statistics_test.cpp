@@ -91,7 +91,8 @@ TEST(SquareStatistics, ClampsTowersAndSaysSo) {
   EXPECT_EQ(statistics.saturated(), 1u);
   EXPECT_EQ(statistics.largest(), 1e30);
   EXPECT_EQ(statistics.sum(0), 0x1p20);
-  for (int i = 0; i < 4000; ++i) statistics.record(0, 1e30);
+  // Past the end of the sum once, and then around it: what has overflowed stays so.
+  for (int i = 0; i < 6000; ++i) statistics.record(0, 1e30);
   EXPECT_TRUE(statistics.overflowed());
   statistics.clear();
   EXPECT_EQ(statistics.samples(), 0u);

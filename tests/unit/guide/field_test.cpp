@@ -39,7 +39,8 @@ TEST(FieldSettings, PresetsFillWhatIsOpen) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   const FieldSettings standard = settle(desc, haarTable());
   EXPECT_EQ(standard.map, AWD_MAP_CONCENTRIC_COSINE);
-  EXPECT_EQ(standard.tau, 0.0);
+  EXPECT_EQ(standard.tau, 0.3);
+  EXPECT_EQ(standard.maxLevel, 3u);
   desc.preset = AWD_PRESET_PAPER;
   const FieldSettings paper = settle(desc, haarTable());
   EXPECT_EQ(paper.map, AWD_MAP_SPHERICAL);

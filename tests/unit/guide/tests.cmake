@@ -1,2 +1,2 @@
 awd_unit_test(guide field_test.cpp hemisphere_test.cpp patch_table_test.cpp)
-    target_link_libraries(unit - guide PRIVATE unit - families)
+target_link_libraries(unit-guide PRIVATE unit-families)

@@ -16,6 +16,9 @@ namespace {
 TEST(PathSettings, PresetsFillWhatIsOpen) {
   AWDRenderDesc desc = AWD_RENDER_DESC_INIT;
   EXPECT_EQ(settle(desc).direct, AWD_DIRECT_WEIGHTED);
+  EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ALBEDO);
+  desc.guide = AWD_GUIDE_UNIFORM;
+  EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_THROUGHPUT);
   desc.preset = AWD_PRESET_PAPER;
   EXPECT_EQ(settle(desc).direct, AWD_DIRECT_AREA);
   EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ALBEDO);
