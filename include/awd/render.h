@@ -94,7 +94,7 @@ typedef struct AWDRenderDesc {
 
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
    alone; NULL: one of the render's own, made by the same preset. Its scale is set from the lights.
-   Free. */
+   Free, but exclusive for the field. */
 AWD_EXPORT AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field,
                                            const AWDRenderDesc* desc,
                                            AWDRender* render) AWD_NOEXCEPT;

@@ -53,7 +53,7 @@ typedef struct AWDMeshDesc {
   AWDBuffer vertices;  /* FLOAT3; finite, below 1e18 in magnitude */
   AWDBuffer indices;   /* UINT3; counter-clockwise seen from the front */
   AWDBuffer materials; /* UINT, one a triangle; none: `material` for all */
-  AWDBuffer patches;   /* UINT below 2^31, one a triangle; none: a patch per planar piece */
+  AWDBuffer patches;   /* UINT below 2^31 - 1, one a triangle; none: a patch per planar piece */
   uint32_t material;   /* used when there is no `materials` buffer */
   uint32_t flags;
 } AWDMeshDesc;

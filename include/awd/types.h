@@ -75,7 +75,7 @@ typedef struct AWDImageImpl* AWDImage;   /* named float channels and metadata */
 /* No mesh, triangle, material, patch or component. */
 #define AWD_INVALID_ID 0xFFFFFFFFu
 
-/* A patch is known by a number of the host's below 2^31. Its back side, which is seen from
+/* A patch is known by a number of the host's below 2^31 - 1. Its back side, which is seen from
    against the geometric normal, is a patch of its own. */
 #define AWD_PATCH_BACK 0x80000000u
 

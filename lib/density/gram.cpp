@@ -49,7 +49,7 @@ void forEachCellIntegral(const BasisLevel& level, Visit&& visit) {
 }  // namespace
 
 GramSolver::GramSolver(std::pmr::memory_resource* memory, const BasisLevel& level)
-    : n_(level.count), band_(0), position_(level.count, memory), factor_(memory) {
+    : n_(level.count), position_(level.count, memory), factor_(memory) {
   // In a periodic family the last functions overlap the first. Laying the indices out as
   // 0, n-1, 1, n-2, .. makes neighbours on the circle neighbours on the line, at twice the band.
   bool wraps = false;

@@ -23,7 +23,7 @@ class GramSolver {
 
  private:
   uint32_t n_;
-  uint32_t band_;                        ///< sub-diagonals of the permuted matrix
+  uint32_t band_ = 0;                    ///< sub-diagonals of the permuted matrix
   std::pmr::vector<uint32_t> position_;  ///< row of function j in the permuted matrix
   std::pmr::vector<double> factor_;      ///< L(i, i - d) at [i * (band_ + 1) + d]
 };

@@ -107,9 +107,9 @@ void Field::destroy() noexcept {
   unmake(context->memory(), this);
 }
 
-const SquareDensity& Field::density(uint32_t number) const {
-  const Patch* patch = table_.find(number);
-  return patch ? density(*patch) : start_;
+const SquareDensity& Field::density(uint32_t patch) const {
+  const Patch* known = table_.find(patch);
+  return known ? density(*known) : start_;
 }
 
 AWDDirectionSample Field::sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const {
@@ -131,23 +131,23 @@ float Field::pdf(uint32_t patch, Vec3f normal, Vec3f direction) const {
   return static_cast<float>(density(patch).pdf(u, v) / solidAngleAt(settings_.map, local));
 }
 
-Patch& Field::touch(uint32_t number) {
-  return table_.touch(number, [this] {
+Patch& Field::touch(uint32_t patch) {
+  return table_.touch(patch, [this] {
     std::pmr::memory_resource* memory = context_->memory();
     return awd::make<Patch>(memory, memory, start_.coefficients().size(), unitExponent_);
   });
 }
 
-void Field::record(uint32_t number, const AWDDirectionSample& sample, double value) {
-  Patch& patch = touch(number);
-  if (sample.component >= patch.statistics->components()) {
+void Field::record(uint32_t patch, const AWDDirectionSample& sample, double value) {
+  Patch& known = touch(patch);
+  if (sample.component >= known.statistics->components()) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "sample->component is %u: patch %u has %zu components; was the sample drawn from it since "
          "the last adapt?",
-         sample.component, number, patch.statistics->components());
+         sample.component, patch, known.statistics->components());
   }
   // The density lives on the square: f there is f in solid angle times d omega / d(u,v).
-  patch.statistics->record(sample.component, value * static_cast<double>(sample.solidAngle));
+  known.statistics->record(sample.component, value * static_cast<double>(sample.solidAngle));
 }
 
 void Field::setScale(double magnitude) {
@@ -284,11 +284,11 @@ void Field::revert() {
   table_.forEach([](uint32_t, Patch& patch) { patch.statistics->clear(); });
 }
 
-AWDPatchInfo Field::patchInfo(uint32_t number) const {
-  const Patch* patch = table_.find(number);
-  const BasisLevel& level = density(number).level();
+AWDPatchInfo Field::patchInfo(uint32_t patch) const {
+  const Patch* known = table_.find(patch);
+  const BasisLevel& level = density(patch).level();
   return {sizeof(AWDPatchInfo), family_.name().c_str(),       level.level,
-          level.count,          patch ? patch->samples() : 0, patch ? patch->learned : 0};
+          level.count,          known ? known->samples() : 0, known ? known->learned : 0};
 }
 
 std::pmr::vector<uint32_t> Field::patches() const {

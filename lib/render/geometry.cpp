@@ -17,6 +17,9 @@ constexpr float kMostCoordinate = 1e18f;
 /// less than rounding its corners to floats can bring about.
 constexpr double kLeastAspect = 1e-12;
 
+/// The back side of this number would be AWD_INVALID_ID.
+constexpr uint32_t kPatchEnd = AWD_INVALID_ID & ~AWD_PATCH_BACK;
+
 Vec3d corner(const Mesh& mesh, uint32_t index) {
   const Float3 p = mesh.vertices()[index];
   return {p.v[0], p.v[1], p.v[2]};
@@ -26,8 +29,8 @@ void checkMesh(const Mesh& mesh, uint32_t number, std::size_t materialCount) {
   const auto vertices = mesh.vertices();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Float3 p = vertices[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(p.v[axis]) <= kMostCoordinate)) {
+    for (const float coordinate : p.v) {
+      if (!(std::abs(coordinate) <= kMostCoordinate)) {
         fail(AWD_ERROR_INVALID_ARGUMENT,
              "mesh %u, vertex %zu is (%g, %g, %g): coordinates must be finite and at most 1e18",
              number, i, p.v[0], p.v[1], p.v[2]);
@@ -49,9 +52,9 @@ void checkMesh(const Mesh& mesh, uint32_t number, std::size_t materialCount) {
            "mesh %u, triangle %zu has the material %u: there are %zu materials", number, i,
            material, materialCount);
     }
-    if (mesh.hasPatches() && (mesh.patch(i) & AWD_PATCH_BACK)) {
+    if (mesh.hasPatches() && mesh.patch(i) >= kPatchEnd) {
       fail(AWD_ERROR_INVALID_ARGUMENT,
-           "mesh %u, triangle %zu has the patch %u: it must be below 2^31", number, i,
+           "mesh %u, triangle %zu has the patch %u: it must be below 2^31 - 1", number, i,
            mesh.patch(i));
     }
   }
@@ -157,10 +160,10 @@ void Geometry::Parts::findPieces(const std::pmr::vector<Mesh>& meshes) {
   hostIds.erase(std::unique(hostIds.begin(), hostIds.end()), hostIds.end());
   const uint64_t base = hostIds.empty() ? 0 : uint64_t{hostIds.back()} + 1;
   const Pieces patches = planarPieces(memory, corners, normals, adjacency, labels);
-  if (base + patches.count > AWD_PATCH_BACK) {
+  if (base + patches.count > kPatchEnd) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
-         "patch %u of the host leaves no numbers below 2^31 for %u planar pieces", hostIds.back(),
-         patches.count);
+         "patch %u of the host leaves no numbers below 2^31 - 1 for %u planar pieces",
+         hostIds.back(), patches.count);
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (labels[t] != kNoPiece) {

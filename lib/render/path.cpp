@@ -56,7 +56,6 @@ PathTracer::PathTracer(std::pmr::memory_resource* memory, const Geometry& geomet
       field_(field),
       settings_(settings),
       chooseByPower_(geometry.lights().size() > settings.maxLights),
-      gridColumns_(1),
       path_(memory) {
   path_.reserve(kLongPath);
   for (uint32_t c = 1; c * c <= settings.shadowRays; ++c) {
@@ -169,12 +168,13 @@ PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, uint32_
 Rgb PathTracer::directLight(const Surface& surface, RandomStream& random) {
   const Lights& lights = geometry_.lights();
   const uint32_t rays = settings_.shadowRays;
+  const uint32_t gridRows = rays / gridColumns_;
   Rgb sum;
   const auto jittered = [&](const Light& light, uint32_t i, float choice) {
     const uint32_t column = i % gridColumns_;
     const uint32_t row = i / gridColumns_;
     const double u = (column + random.next()) / gridColumns_;
-    const double v = (row + random.next()) / (rays / gridColumns_);
+    const double v = (row + random.next()) / gridRows;
     sum += oneShadowRay(surface, light, choice, u, v);
   };
   if (chooseByPower_) {

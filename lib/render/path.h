@@ -75,7 +75,7 @@ class PathTracer {
   Field* field_;
   PathSettings settings_;
   bool chooseByPower_;
-  uint32_t gridColumns_;  ///< shadow rays are jittered on a grid of this many columns
+  uint32_t gridColumns_ = 1;  ///< shadow rays are jittered on a grid of this many columns
   std::pmr::vector<Vertex> path_;
   uint64_t rays_ = 0;
   uint64_t shadowRays_ = 0;

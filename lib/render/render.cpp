@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/render.h"
 
-#include <time.h>
-
 #include <atomic>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "render/schedule.h"
 #include "util/error.h"

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a field makes of the samples that it is given (Haar, so that a coefficient is the mean
 // density of its cell).
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <thread>
 
-#include "field/trained.h"
+#include "field/learning.h"
 #include "support/expect.h"
 #include "support/statistics.h"
 
@@ -16,28 +13,6 @@ namespace {
 
 using namespace awdtest;
 
-constexpr uint32_t kPatch = 3;
-constexpr double kNoFloor = -1.0;
-
-/// A value of its own in each of 4 x 4 cells, of mean 1.
-double steps(double u, double v) {
-  const int cell = 4 * static_cast<int>(u * 4.0) + static_cast<int>(v * 4.0);
-  return (1.0 + (7 * cell) % 16) / 8.5;
-}
-
-class Learning : public testing::TestWithParam<AWDHemisphereMap> {
- protected:
-  void begin(uint32_t startLevel, uint32_t maxLevel, double tau) {
-    const AWDFieldDesc desc = fieldDesc(GetParam(), startLevel, maxLevel, tau);
-    field_ = newField(device_, &desc);
-  }
-  void record(size_t samples, Random& random,
-              const std::function<double(double, double)>& function) {
-    recordPass(field_, kPatch, samples, random, function);
-  }
-  Device device_ = newDevice(1u);
-  Field field_;
-};
 INSTANTIATE_TEST_SUITE_P(Maps, Learning,
                          testing::Values(AWD_MAP_SPHERICAL, AWD_MAP_CONCENTRIC_COSINE));
 
@@ -203,142 +178,6 @@ TEST_P(Learning, OrderDoesNotMatter) {
   }
   EXPECT_EQ(learn(1), once);
   EXPECT_EQ(learn(4), once);
-}
-
-TEST_P(Learning, OnlyZerosKeepTheDensity) {
-  begin(2, 2, 0.0);
-  Random random(7);
-  record(5000, random, steps);
-  adapt(field_);
-  const Coefficients before = coefficientsOf(field_, kPatch);
-  record(5000, random, [](double, double) { return 0.0; });
-  const AWDFieldStatistics figures = adapt(field_);
-  EXPECT_EQ(figures.kept, 1u);
-  EXPECT_EQ(figures.samples, 5000u);
-  EXPECT_EQ(coefficientsOf(field_, kPatch).c, before.c);
-  EXPECT_EQ(adapt(field_).samples, 0u);
-  EXPECT_EQ(coefficientsOf(field_, kPatch).c, before.c) << "a pass without samples";
-}
-
-/// Rejected samples count as zeros: the outcome is that of zeros in their place.
-TEST_P(Learning, NonsenseIsRejectedAndCounted) {
-  const double nonsense[] = {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL, -1.0,
-                             -1e-300};
-  Coefficients outcome[2];
-  for (const bool zeros : {false, true}) {
-    begin(2, 2, 0.0);
-    Random random(8);
-    size_t i = 0;
-    record(4000, random, [&](double u, double v) {
-      ++i;
-      if (i % 10 != 0) return steps(u, v);
-      return zeros ? 0.0 : nonsense[i / 10 % 5];
-    });
-    const AWDFieldStatistics figures = adapt(field_);
-    EXPECT_EQ(figures.samples, 4000u);
-    EXPECT_EQ(figures.rejected, zeros ? 0u : 400u);
-    EXPECT_EQ(figures.saturated, 0u);
-    outcome[zeros] = coefficientsOf(field_, kPatch);
-  }
-  EXPECT_EQ(outcome[0].c, outcome[1].c);
-}
-
-TEST_P(Learning, OnlyNonsenseKeepsTheDensity) {
-  begin(2, 2, 0.0);
-  Random random(9);
-  record(100, random, [](double, double) { return std::nan(""); });
-  const AWDFieldStatistics figures = adapt(field_);
-  EXPECT_EQ(figures.rejected, 100u);
-  EXPECT_EQ(figures.kept, 1u);
-  EXPECT_EQ(coefficientsOf(field_, kPatch).c, std::vector<double>(16, 1.0));
-}
-
-void expectSane(const Coefficients& density) {
-  for (const double c : density.c) EXPECT_TRUE(std::isfinite(c) && c > 0.0);
-  EXPECT_NEAR(density.integral(), 1.0, 1e-12);
-}
-
-/// With the scale told, any magnitude is learned alike.
-TEST_P(Learning, ExtremeMagnitudesWithTheirScale) {
-  std::vector<double> first;
-  for (const double magnitude : {1.0, 0x1p996, 0x1p-996, 0x1p-1030}) {
-    begin(2, 3, 0.0);
-    must(awdSetFieldScale(field_, magnitude));
-    Random random(10);
-    for (int pass = 0; pass < 2; ++pass) {
-      record(5000, random, [&](double u, double v) { return magnitude * steps(u, v); });
-      const AWDFieldStatistics figures = adapt(field_);
-      EXPECT_EQ(figures.saturated, 0u) << magnitude;
-      EXPECT_EQ(figures.kept, 0u) << magnitude;
-    }
-    const Coefficients found = coefficientsOf(field_, kPatch);
-    expectSane(found);
-    if (first.empty()) first = found.c;
-    for (size_t i = 0; i < first.size(); ++i) {
-      EXPECT_NEAR(found.c[i], first[i], 0.02 * first[i]) << magnitude;
-    }
-  }
-}
-
-/// Without it the first pass can't, but says so, stays sane, and the next ones know better.
-TEST_P(Learning, ExtremeMagnitudesWithoutTheirScale) {
-  begin(2, 2, 0.0);
-  Random random(11);
-  const auto huge = [](double u, double v) { return 1e300 * steps(u, v); };
-  record(5000, random, huge);
-  EXPECT_EQ(adapt(field_).saturated, 5000u);
-  expectSane(coefficientsOf(field_, kPatch));
-
-  begin(2, 2, 0.0);
-  for (const double tiny : {1e-300, 5e-324}) {
-    record(5000, random, [&](double u, double v) { return tiny * steps(u, v); });
-    const AWDFieldStatistics figures = adapt(field_);
-    EXPECT_EQ(figures.rejected, 0u);
-    expectSane(coefficientsOf(field_, kPatch));
-  }
-
-  begin(2, 2, 0.0);  // sixty decades in one pass
-  record(5000, random, [&](double u, double) { return u < 0.5 ? 1e-30 : 1e30; });
-  adapt(field_);
-  expectSane(coefficientsOf(field_, kPatch));
-}
-
-/// Every value is clamped to the same, so that the density must stay constant; the sums that hold
-/// 2^63 units at 2^52 a sample must not wrap to something else.
-TEST_P(Learning, SumsOfClampedValuesDontWrap) {
-  begin(1, 1, kNoFloor);
-  Random random(19);
-  const float up[3] = {0, 0, 1};
-  size_t left[4] = {4096, 4196, 4596, 5096};  // all of them back above 0 after 2^64 units
-  for (size_t toDo = 4; toDo > 0;) {
-    const AWDDirectionSample s = draw(field_, kPatch, up, random);
-    if (left[s.component] == 0) continue;
-    must(awdRecordField(field_, kPatch, &s, 1e300));
-    if (--left[s.component] == 0) --toDo;
-  }
-  const AWDFieldStatistics figures = adapt(field_);
-  EXPECT_EQ(figures.saturated, figures.samples);
-  for (const double c : coefficientsOf(field_, kPatch).c) EXPECT_NEAR(c, 1.0, 1e-9);
-}
-
-TEST_P(Learning, OneSampleIsEnoughForADensity) {
-  begin(3, 3, 0.0);
-  Random random(12);
-  record(1, random, [](double, double) { return 1.0; });
-  adapt(field_);
-  expectSane(coefficientsOf(field_, kPatch));
-}
-
-TEST_P(Learning, AThousandCyclesKeepTheIntegral) {
-  for (const double tau : {0.0, 0.01}) {
-    begin(2, 3, tau);
-    Random random(13);
-    for (int cycle = 0; cycle < 1000; ++cycle) {
-      record(32, random, steps);
-      adapt(field_);
-    }
-    expectSane(coefficientsOf(field_, kPatch));
-  }
 }
 
 TEST_P(Learning, PatchesAreListedInOrder) {

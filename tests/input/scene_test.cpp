@@ -137,7 +137,7 @@ TEST_F(BadScene, MeshMaterialOutOfRange) {
 }
 
 TEST_F(BadScene, PatchAboveTheSideBit) {
-  for (const uint32_t bad : {0x80000000u, 0xFFFFFFFFu}) {
+  for (const uint32_t bad : {0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu}) {
     begin();
     Strip strip(100);
     strip.patches[30] = bad;
