@@ -21,6 +21,7 @@ Device openDevice(const DeviceOptions& options, ProgressBar* bar) {
     absolute.push_back(std::filesystem::absolute(path).string());
   }
   std::vector<const char*> paths;
+  paths.reserve(absolute.size());
   for (const std::string& path : absolute) paths.push_back(path.c_str());
 
   AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;

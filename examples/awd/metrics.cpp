@@ -13,7 +13,8 @@ namespace {
 std::array<double, 3> meanColor(const RgbImage& image) {
   std::array<double, 3> sum = {};
   for (std::size_t i = 0; i < image.values.size(); ++i) sum[i % 3] += image.values[i];
-  for (double& channel : sum) channel /= static_cast<double>(image.values.size() / 3);
+  const std::size_t pixels = image.values.size() / 3;
+  for (double& channel : sum) channel /= static_cast<double>(pixels);
   return sum;
 }
 

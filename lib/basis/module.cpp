@@ -55,7 +55,7 @@ void checkModule(const AWDBasisModule* module) {
   }
 }
 
-Module::Module(const char* absolutePath) : handle_(nullptr) {
+Module::Module(const char* absolutePath) {
   if (absolutePath[0] != '/') {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "absolutePath \"%s\" is not absolute: give the whole path, from '/' on", absolutePath);

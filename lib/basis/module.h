@@ -25,7 +25,7 @@ class Module {
   void keep() { handle_ = nullptr; }
 
  private:
-  void* handle_;
+  void* handle_ = nullptr;
   const AWDBasisModule* table_ = nullptr;
 };
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace awd {
 
@@ -24,10 +25,9 @@ using Imath::V2i;
 class Flattener {
  public:
   /// regionWidth x regionHeight: of the largest region.
-  Flattener(const Box2i& window, int regionWidth, int regionHeight,
-            const std::vector<ExrPlane>& planes, double roomBytes,
-            std::pmr::memory_resource* memory)
-      : window_(window),
+  Flattener(Box2i window, int regionWidth, int regionHeight, const std::vector<ExrPlane>& planes,
+            double roomBytes, std::pmr::memory_resource* memory)
+      : window_(std::move(window)),
         regionWidth_(regionWidth),
         planes_(planes),
         roomBytes_(roomBytes),

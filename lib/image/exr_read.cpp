@@ -210,7 +210,7 @@ class Reader {
     float* red = image_->addChannel("R").data();
     float* green = image_->addChannel("G").data();
     float* blue = image_->addChannel("B").data();
-    const Box2i window = header.dataWindow();
+    const Box2i& window = header.dataWindow();
     // Pixel (0, 0), which may lie outside of the array.
     const std::intptr_t origin = reinterpret_cast<std::intptr_t>(row.data()) -
                                  static_cast<std::intptr_t>(sizeof(Imf::Rgba)) * window.min.x;
