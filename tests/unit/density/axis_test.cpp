@@ -46,7 +46,7 @@ TEST(Axis, CdfInversionHitsItsTarget) {
   Uniforms random(2);
   for (uint32_t order = 1; order <= AWD_BASIS_MAX_ORDER; ++order) {
     for (int i = 0; i < 2000; ++i) {
-      double b[AWD_BASIS_MAX_ORDER];
+      double b[AWD_BASIS_MAX_ORDER] = {0.0};
       double integral[AWD_BASIS_MAX_ORDER + 1] = {0.0};
       // Flat cells, zero ends and 200 decades between neighbours, each in a quarter of the cases.
       for (uint32_t k = 0; k < order; ++k) {
