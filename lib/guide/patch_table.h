@@ -16,7 +16,7 @@ namespace awd {
 template <class T>
 class PatchTable {
  public:
-  explicit PatchTable(std::pmr::memory_resource* memory) : memory_(memory), root_(memory) {}
+  explicit PatchTable(std::pmr::memory_resource* memory) : memory_(memory) {}
   ~PatchTable() { clear(root_, 0); }
   PatchTable(const PatchTable&) = delete;
   PatchTable& operator=(const PatchTable&) = delete;
@@ -30,13 +30,12 @@ class PatchTable {
     return static_cast<T*>(node->slot(number).load(std::memory_order_acquire));
   }
 
-  /// The patch of that number; made by makePatch(memory) -> T* if there is none.
+  /// The patch of that number; made by makePatch() -> T* if there is none.
   template <class Make>
   T& touch(uint32_t number, Make&& makePatch) {
     Node* node = &root_;
     for (int shift = 24; shift > 0; shift -= 8) {
-      node =
-          &reach<Node>(node->slot(number >> shift), [&] { return make<Node>(memory_, memory_); });
+      node = &reach<Node>(node->slot(number >> shift), [&] { return make<Node>(memory_); });
     }
     return reach<T>(node->slot(number), makePatch);
   }
@@ -52,7 +51,6 @@ class PatchTable {
 
  private:
   struct Node {
-    explicit Node(std::pmr::memory_resource*) {}
     std::atomic<void*> slots[256] = {};
     std::atomic<void*>& slot(uint32_t byte) { return slots[byte & 255u]; }
     const std::atomic<void*>& slot(uint32_t byte) const { return slots[byte & 255u]; }

@@ -25,7 +25,7 @@ class TriangleAdjacency {
   /// `vertices` are the three corners of each triangle in turn.
   TriangleAdjacency(std::pmr::memory_resource* memory, const std::pmr::vector<Vec3f>& corners);
 
-  const uint32_t* begin(uint32_t triangle) const { return &neighbours_[first_[triangle]]; }
+  const uint32_t* begin(uint32_t triangle) const { return neighbours_.data() + first_[triangle]; }
   const uint32_t* end(uint32_t triangle) const { return neighbours_.data() + first_[triangle + 1]; }
 
  private:
