@@ -36,9 +36,6 @@ class Embree {
   uint32_t nearest(Vec3f point) const;
 
   const Vec3f* corners(uint32_t triangle) const { return &corners_[3 * std::size_t{triangle}]; }
-  std::size_t bytes() const {
-    return corners_.capacity() * sizeof(Vec3f) + indices_.capacity() * 4;
-  }
 
  private:
   void close() noexcept;
