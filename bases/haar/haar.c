@@ -38,26 +38,42 @@ static uint32_t AWD_CALL twoScale(uint32_t level, uint32_t j, uint32_t* first, d
   return 2;
 }
 
-static const AWDBasisFamily haar = {sizeof(AWDBasisFamily),
-                                    "haar",
-                                    "Piecewise constant on 2^level cells",
-                                    AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED,
-                                    1, /* order */
-                                    1, /* uniforms */
-                                    0, /* levels */
-                                    AWD_BASIS_MAX_LEVEL,
-                                    count,
-                                    count,
-                                    support,
-                                    weight,
-                                    eval,
-                                    sample,
-                                    twoScale};
+static void AWD_CALL wavelet(uint32_t k, double* g) {
+  (void)k;
+  g[0] = 1.0;
+  g[1] = -1.0;
+}
+
+static const AWDBasisFamily haar = {
+    .structSize = sizeof(AWDBasisFamily),
+    .name = "haar",
+    .summary = "Piecewise constant on 2^level cells",
+    .flags = AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED,
+    .order = 1,
+    .sampleDims = 1,
+    .minLevel = 0,
+    .maxLevel = AWD_BASIS_MAX_LEVEL,
+    .count = count,
+    .cells = count,
+    .support = support,
+    .weight = weight,
+    .eval = eval,
+    .sample = sample,
+    .twoScale = twoScale,
+    .wavelet = wavelet,
+    .vanishingMoments = 1,
+};
 
 static const AWDBasisFamily* const families[] = {&haar};
 
-static const AWDBasisModule module = {sizeof(AWDBasisModule), AWD_BASIS_ABI, 1, "0.1.0",
-                                      "Apache-2.0",           families};
+static const AWDBasisModule module = {
+    .structSize = sizeof(AWDBasisModule),
+    .abi = AWD_BASIS_ABI,
+    .familyCount = 1,
+    .version = "0.1.0",
+    .license = "Apache-2.0",
+    .families = families,
+};
 
 AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host) {
   return host->abi == AWD_BASIS_ABI ? &module : NULL;

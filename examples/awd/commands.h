@@ -16,5 +16,6 @@ void addRenderCommand(CLI::App& program, Action& action, const std::string& comm
 void addPngCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addBasesCommand(CLI::App& program, Action& action);
+void addCheckBasisCommand(CLI::App& program, Action& action);
 
 }  // namespace command

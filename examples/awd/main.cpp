@@ -35,13 +35,15 @@ int run(int argumentCount, char** arguments) {
   addPngCommand(program, action);
   addCompareCommand(program, action);
   addBasesCommand(program, action);
+  addCheckBasisCommand(program, action);
   try {
     program.parse(argumentCount, arguments);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kDone : kMisused;
   }
   if (!action)
-    throw UsageError("say what to do: render, png, compare or bases (--help tells more)");
+    throw UsageError(
+        "say what to do: render, png, compare, bases or check-basis (--help tells more)");
   return action();
 }
 

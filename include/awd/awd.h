@@ -6,6 +6,7 @@
 #ifndef AWD_AWD_H
 #define AWD_AWD_H
 
+#include "awd/density.h"
 #include "awd/device.h"
 #include "awd/field.h"
 #include "awd/image.h"

@@ -34,7 +34,9 @@ enum {
   AWD_BASIS_ORTHOGONAL = 1u, /* int N_j N_k = 0 for j != k */
   /* Indices run modulo count(level); a shift by one cell shifts them by count / cells. */
   AWD_BASIS_PERIODIC = 2u,
-  /* Each support lies in one dyadic cell of size 2^-level: tree densities allowed. */
+  /* Each support lies in one dyadic cell of size 2^-level: tree densities allowed. Levels begin
+     at 0 with n <= AWD_BASIS_MAX_ORDER functions; function n c + k of a level is function k of
+     level 0 on dyadic cell c. */
   AWD_BASIS_NESTED = 4u
 };
 
@@ -63,6 +65,14 @@ typedef struct AWDBasisFamily {
   /* Two-scale relation N^l_j = sum_k h_k N^{l+1}_{first+k}, level < maxLevel; returns how many h
      it wrote, at most 2 * AWD_BASIS_MAX_ORDER. */
   uint32_t(AWD_CALL* twoScale)(uint32_t level, uint32_t j, uint32_t* first, double* h);
+  /* Nested families only, or NULL: the wavelets psi_k, k < count(0), of one cell. Writes the
+     count(1) = 2 count(0) numbers g of psi_k = sum_i g_i N^1_i. The detail k of f is int f psi_k;
+     with the projection on level 0 the details determine f on level 1. NULL: the library takes
+     an orthonormal basis of what level 1 has beyond level 0. */
+  void(AWD_CALL* wavelet)(uint32_t k, double* g);
+  /* int x^i psi_k(x) dx = 0 for i < vanishingMoments; at least 1 where there are wavelets, so
+     that details carry no mass */
+  uint32_t vanishingMoments;
 } AWDBasisFamily;
 
 /* The host's services; a plugin may ignore them. */

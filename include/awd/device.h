@@ -74,9 +74,32 @@ AWD_EXPORT void AWD_CALL awdReleaseDevice(AWDDevice device) AWD_NOEXCEPT;
 AWD_EXPORT AWDResult AWD_CALL awdLoadBasisModule(AWDDevice device,
                                                  const char* absolutePath) AWD_NOEXCEPT;
 
-/* Registers a module that is linked into the host; its table must outlive the device. Free. */
+/* Registers a module that is linked into the host; its table must outlive the device. A table, like
+   a file, that is registered already is no error. Free. */
 AWD_EXPORT AWDResult AWD_CALL
 awdRegisterBasisModule(AWDDevice device, const struct AWDBasisModule* module) AWD_NOEXCEPT;
+
+/* One check of a family's self-test. Made by the library; the texts die with the call. */
+typedef struct AWDBasisCheck {
+  size_t structSize;
+  const char* family;  /* name of the family; "" when it could not say */
+  const char* name;    /* of the check, such as "partition of unity" */
+  const char* message; /* what is wrong and where; "" when all is well */
+  double worst;        /* largest figure met; infinite when there is none to tell */
+  double limit;        /* that no figure may exceed */
+  AWDResult status;    /* AWD_SUCCESS or AWD_ERROR_PLUGIN_... */
+  uint32_t index;      /* of the family in its module */
+} AWDBasisCheck;
+
+/* Called from the thread that asked; the library holds no lock meanwhile. */
+typedef void(AWD_CALL* AWDBasisCheckFn)(void* user, const AWDBasisCheck* check);
+
+/* Tests a module as loading does, names that are taken elsewhere apart, and registers nothing:
+   report, which may be NULL, is called with every check of every family in turn. Succeeds if the
+   module can be loaded; otherwise the result is that of its first failure, and
+   AWD_ERROR_PLUGIN_LOAD or AWD_ERROR_PLUGIN_ABI means that no check could be made. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdCheckBasisModule(const char* absolutePath, AWDBasisCheckFn report,
+                                                  void* user) AWD_NOEXCEPT;
 
 /* One line of the registry: a family that can be used, or a candidate that can't. The texts live
    as long as the device. */

@@ -23,9 +23,6 @@ extern "C" {
 typedef int32_t AWDHemisphereMap;
 enum { AWD_MAP_DEFAULT = 0, AWD_MAP_SPHERICAL = 1, AWD_MAP_CONCENTRIC_COSINE = 2 };
 
-/* A level as a setting, so that 0 can mean "the preset's". */
-#define AWD_LEVEL(level) ((uint32_t)(level) + 1u)
-
 typedef struct AWDFieldDesc {
   size_t structSize;
   AWDPreset preset; /* settles every setting that is 0 below */

@@ -66,11 +66,15 @@ enum {
 };
 
 /* Handles. All objects of a device share its threads, callbacks and basis registry. */
-typedef struct AWDDeviceImpl* AWDDevice; /* threads, registry, callbacks */
-typedef struct AWDSceneImpl* AWDScene;   /* triangles, materials, lights */
-typedef struct AWDFieldImpl* AWDField;   /* one adaptive density per patch */
-typedef struct AWDRenderImpl* AWDRender; /* a path tracer with its film */
-typedef struct AWDImageImpl* AWDImage;   /* named float channels and metadata */
+typedef struct AWDDeviceImpl* AWDDevice;   /* threads, registry, callbacks */
+typedef struct AWDSceneImpl* AWDScene;     /* triangles, materials, lights */
+typedef struct AWDFieldImpl* AWDField;     /* one adaptive density per patch */
+typedef struct AWDDensityImpl* AWDDensity; /* one adaptive density on the unit cube */
+typedef struct AWDRenderImpl* AWDRender;   /* a path tracer with its film */
+typedef struct AWDImageImpl* AWDImage;     /* named float channels and metadata */
+
+/* A level as a setting, so that 0 can mean "the default". */
+#define AWD_LEVEL(level) ((uint32_t)(level) + 1u)
 
 /* No mesh, triangle, material, patch or component. */
 #define AWD_INVALID_ID 0xFFFFFFFFu

@@ -4,6 +4,7 @@
 #include "api/handles.h"
 #include "awd/basis.h"
 #include "basis/device.h"
+#include "basis/module_check.h"
 
 namespace awd {
 
@@ -119,6 +120,15 @@ AWDResult AWD_CALL awdLoadBasisModule(AWDDevice device, const char* absolutePath
 AWDResult AWD_CALL awdRegisterBasisModule(AWDDevice device, const AWDBasisModule* module) noexcept {
   return guard("awdRegisterBasisModule",
                [&] { awd::object(device, "device").registry().add(*awd::need(module, "module")); });
+}
+
+AWDResult AWD_CALL awdCheckBasisModule(const char* absolutePath, AWDBasisCheckFn report,
+                                       void* user) noexcept {
+  return guard("awdCheckBasisModule", [&] {
+    awd::checkModuleFile(awd::need(absolutePath, "absolutePath"), [&](const AWDBasisCheck& check) {
+      if (report) report(user, &check);
+    });
+  });
 }
 
 AWDResult AWD_CALL awdGetBasisCount(AWDDevice device, size_t* count) noexcept {

@@ -7,6 +7,7 @@
 
 namespace awd {
 
+class Density;
 class Device;
 class Field;
 class Scene;
@@ -14,6 +15,7 @@ class Render;
 class Image;
 
 inline Device* behind(AWDDevice handle) { return reinterpret_cast<Device*>(handle); }
+inline Density* behind(AWDDensity handle) { return reinterpret_cast<Density*>(handle); }
 inline Field* behind(AWDField handle) { return reinterpret_cast<Field*>(handle); }
 inline Scene* behind(AWDScene handle) { return reinterpret_cast<Scene*>(handle); }
 inline Render* behind(AWDRender handle) { return reinterpret_cast<Render*>(handle); }

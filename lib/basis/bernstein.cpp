@@ -23,6 +23,23 @@ double bernsteinIntegral(const double* b, uint32_t order, double t) {
   return bernsteinValue(sums, order + 1, t);
 }
 
+double bernsteinProductIntegral(const double* a, const double* b, uint32_t order) {
+  const auto binomial = [](uint32_t n, uint32_t k) {
+    double value = 1.0;
+    for (uint32_t i = 0; i < k; ++i) value = value * (n - i) / (i + 1);
+    return value;
+  };
+  // int B_i^q B_k^q = C(q,i) C(q,k) / (C(2q,i+k) (2q+1))
+  const uint32_t degree = order - 1;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < order; ++i) {
+    for (uint32_t k = 0; k < order; ++k) {
+      sum += a[i] * b[k] * binomial(degree, i) * binomial(degree, k) / binomial(2 * degree, i + k);
+    }
+  }
+  return sum / (2 * degree + 1);
+}
+
 BernsteinFit::BernsteinFit(uint32_t order) : order_(order) {
   const double pi = std::acos(-1.0);
   long double rows[kMaxOrder][2 * kMaxOrder] = {};  // the Vandermonde matrix beside the identity

@@ -16,6 +16,9 @@ double bernsteinValue(const double* b, uint32_t order, double t);
 /// Integral over [0,t].
 double bernsteinIntegral(const double* b, uint32_t order, double t);
 
+/// int_0^1 of the product of two polynomials of one order.
+double bernsteinProductIntegral(const double* a, const double* b, uint32_t order);
+
 /// Finds the coefficients of a polynomial from its values at `order` points inside the cell.
 class BernsteinFit {
  public:

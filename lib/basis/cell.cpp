@@ -60,6 +60,23 @@ Row<2 * kMaxOrder> refine(const TableLevel& level, const TableLevel& finer, uint
   return row;
 }
 
+void readWavelet(const AWDBasisFamily& table, uint32_t k, uint32_t size, double* g) {
+  double values[2 * kMaxOrder + kSlack];
+  std::fill(std::begin(values), std::end(values), kUntouched);
+  table.wavelet(k, values);
+  if (values[size] != kUntouched) {
+    fail(AWD_ERROR_PLUGIN_SELF_TEST, "wavelet %u: writes more than the %u coefficients of level 1",
+         k, size);
+  }
+  for (uint32_t i = 0; i < size; ++i) {
+    if (!std::isfinite(values[i]) || values[i] == kUntouched) {
+      fail(AWD_ERROR_PLUGIN_SELF_TEST, "wavelet %u: coefficient %u is not finite: got %g", k, i,
+           values[i]);
+    }
+    g[i] = values[i];
+  }
+}
+
 CellPieces fitCell(const TableLevel& level, uint32_t cell, const BernsteinFit& fit) {
   const uint32_t order = level.table->order;
   CellPieces pieces;

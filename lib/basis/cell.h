@@ -53,6 +53,9 @@ Row<kMaxOrder> evaluate(const TableLevel& level, double x);
 /// N_j as a combination of the functions of the next level.
 Row<2 * kMaxOrder> refine(const TableLevel& level, const TableLevel& finer, uint32_t j);
 
+/// Coefficients g of wavelet k in the functions of level 1: `size` of them. Throws unless finite.
+void readWavelet(const AWDBasisFamily& table, uint32_t k, uint32_t size, double* g);
+
 /// The polynomials of one cell.
 struct CellPieces {
   uint32_t size = 0;

@@ -59,4 +59,14 @@ void checkOrthogonal(const TestedLevel& level, Check& check);
 void checkNested(const TestedLevel& level, Check& check);
 void checkPeriodic(const TestedLevel& level, Check& check);
 
+// checks_wavelet.cpp; nested families only, each check relying on those before it
+/// Levels are those of 2^level copies of level 0 ..
+void checkTreeSizes(const AWDBasisFamily& family, Check& check);
+/// .. and so are their functions.
+void checkCopies(const TestedLevel& level, Check& check);
+/// The integrals of x^i psi_k, over the norm of psi_k.
+void checkVanishingMoments(const AWDBasisFamily& family, Check& check);
+/// With the projection on level 0 the details determine level 1.
+void checkWavelets(const AWDBasisFamily& family, Check& check);
+
 }  // namespace awd

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "basis/cell.h"
+#include "util/error.h"
+#include "util/small_matrix.h"
 
 namespace awd {
 
@@ -82,6 +84,64 @@ void compileTwoScale(const TableLevel& from, BasisLevel& to) {
   }
 }
 
+/// An orthonormal basis of what the halves of a cell have beyond the cell itself: the rest of
+/// their functions, one after the other, beside the cell's functions and what was found before.
+void completeWavelets(const BasisLevel& cell, BasisSplit& split) {
+  const uint32_t n = split.size;
+  SmallMatrix gram(2 * n, 2 * n);
+  for (uint32_t c = 0; c < cell.cells; ++c) {
+    for (uint32_t a = 0; a < cell.alive; ++a) {
+      for (uint32_t b = 0; b < cell.alive; ++b) {
+        const std::size_t i = std::size_t{c} * cell.alive + a, k = std::size_t{c} * cell.alive + b;
+        const double product = bernsteinProductIntegral(&cell.pieces[i * cell.order],
+                                                        &cell.pieces[k * cell.order], cell.order);
+        for (uint32_t half = 0; half < 2; ++half) {
+          gram.at(half * n + cell.functions[i], half * n + cell.functions[k]) +=
+              product / (2.0 * cell.cells);
+        }
+      }
+    }
+  }
+  SmallMatrix candidates(3 * n, 2 * n);
+  for (uint32_t i = 0; i < 2 * n; ++i) {
+    for (uint32_t j = 0; j < n; ++j) candidates.at(j, i) = split.functions[j * 2 * n + i];
+    candidates.at(n + i, i) = 1.0L;
+  }
+  const SmallMatrix rows = orthonormalRows(candidates, gram, 1e-9L);
+  if (rows.rows() != 2 * n) {
+    fail(AWD_ERROR_PLUGIN_SELF_TEST, "the functions of levels 0 and 1 are not independent");
+  }
+  for (uint32_t k = 0; k < n; ++k) {
+    for (uint32_t i = 0; i < 2 * n; ++i) {
+      split.wavelets[k * 2 * n + i] = static_cast<double>(rows.at(n + k, i));
+    }
+  }
+}
+
+void compileSplit(const AWDBasisFamily& table, const BasisLevel& cell, BasisSplit& to) {
+  const uint32_t n = cell.count;
+  if (n > kMaxOrder || table.minLevel != 0 || table.maxLevel < 1 || table.count(1) != 2 * n) {
+    fail(AWD_ERROR_PLUGIN_SELF_TEST, "flag NESTED is not true of %u functions at level %u", n,
+         table.minLevel);
+  }
+  to.size = n;
+  to.functions.assign(std::size_t{n} * 2 * n, 0.0);
+  to.wavelets.assign(std::size_t{n} * 2 * n, 0.0);
+  for (uint32_t j = 0; j < n; ++j) {
+    const Row<2 * kMaxOrder> row = refine(TableLevel(table, 0), TableLevel(table, 1), j);
+    for (uint32_t i = 0; i < row.size; ++i) {
+      to.functions[j * 2 * n + row.functions[i]] = cleaned(row.values[i], 1e-15);
+    }
+  }
+  if (table.wavelet) {
+    for (uint32_t k = 0; k < n; ++k) readWavelet(table, k, 2 * n, &to.wavelets[k * 2 * n]);
+  } else {
+    completeWavelets(cell, to);
+  }
+  // Orthogonal to the cell's functions, of which 1 is a sum.
+  to.vanishingMoments = table.wavelet ? table.vanishingMoments : 1;
+}
+
 }  // namespace
 
 BasisLevel::BasisLevel(std::pmr::memory_resource* memory)
@@ -94,7 +154,12 @@ BasisLevel::BasisLevel(std::pmr::memory_resource* memory)
       twoScale(memory) {}
 
 Family::Family(std::pmr::memory_resource* memory, const AWDBasisFamily& table, uint32_t maxLevel)
-    : name_(table.name, memory), minLevel_(table.minLevel), levels_(memory) {
+    : name_(table.name, memory),
+      flags_(table.flags),
+      order_(table.order),
+      minLevel_(table.minLevel),
+      split_(memory),
+      levels_(memory) {
   const uint32_t last = std::clamp(maxLevel, table.minLevel, table.maxLevel);
   levels_.reserve(last - minLevel_ + 1);
   for (uint32_t l = minLevel_; l <= last; ++l) {
@@ -109,6 +174,7 @@ Family::Family(std::pmr::memory_resource* memory, const AWDBasisFamily& table, u
     compileComponents(to);
     if (l < last) compileTwoScale(from, to);
   }
+  if (nested()) compileSplit(table, levels_.front(), split_);
 }
 
 }  // namespace awd

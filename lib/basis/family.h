@@ -50,6 +50,17 @@ struct BasisLevel {
   std::pmr::vector<TwoScale> twoScale;
 };
 
+/// A cell of a nested family and its two halves. In every row are 2 n coefficients, those of the
+/// n functions of the left half and then of the right.
+struct BasisSplit {
+  explicit BasisSplit(std::pmr::memory_resource* memory) : functions(memory), wavelets(memory) {}
+
+  uint32_t size = 0;                   ///< n, functions of a cell; rows of both tables
+  std::pmr::vector<double> functions;  ///< of N_j on the whole cell, the two-scale relation
+  std::pmr::vector<double> wavelets;   ///< of psi_k
+  uint32_t vanishingMoments = 0;       ///< int x^i psi_k = 0 for i below it
+};
+
 /// Tables of the levels [minLevel, maxLevel] of a family.
 class Family {
  public:
@@ -57,13 +68,22 @@ class Family {
   Family(std::pmr::memory_resource* memory, const AWDBasisFamily& table, uint32_t maxLevel);
 
   const std::pmr::string& name() const { return name_; }
+  uint32_t order() const { return order_; }
+  bool periodic() const { return (flags_ & AWD_BASIS_PERIODIC) != 0; }
+  bool orthogonal() const { return (flags_ & AWD_BASIS_ORTHOGONAL) != 0; }
+  /// Each support lies in one dyadic cell: level l is 2^l copies of level 0, and `split` says how
+  /// a cell is halved.
+  bool nested() const { return (flags_ & AWD_BASIS_NESTED) != 0; }
   uint32_t minLevel() const { return minLevel_; }
   uint32_t maxLevel() const { return minLevel_ + static_cast<uint32_t>(levels_.size()) - 1; }
   const BasisLevel& level(uint32_t level) const { return levels_[level - minLevel_]; }
+  /// Empty unless the family is nested.
+  const BasisSplit& split() const { return split_; }
 
  private:
   std::pmr::string name_;
-  uint32_t minLevel_;
+  uint32_t flags_, order_, minLevel_;
+  BasisSplit split_;
   std::pmr::vector<BasisLevel> levels_;
 };
 

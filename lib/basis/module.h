@@ -2,6 +2,8 @@
 // One file of basis families, opened and asked for its table.
 #pragma once
 
+#include <string>
+
 #include "awd/basis.h"
 
 namespace awd {
@@ -10,10 +12,21 @@ namespace awd {
 /// unless the table is one of the interface that this library has.
 void checkModule(const AWDBasisModule* module);
 
+/// A family's table as this library knows it: fields that an older plugin lacks are 0, and those
+/// of a newer one, which checkModule found to be 0, are left out.
+AWDBasisFamily knownPart(const AWDBasisFamily& family);
+
+constexpr std::size_t kLongestName = 64, kLongestSummary = 200;
+
+/// A plugin's text as it can be shown: cut where no valid one goes on, and on one line. "" for
+/// NULL.
+std::string printable(const char* text, std::size_t longest);
+
 class Module {
  public:
-  /// Opens the file and checks its table. AWD_ERROR_INVALID_ARGUMENT unless the path is absolute,
-  /// AWD_ERROR_PLUGIN_LOAD or AWD_ERROR_PLUGIN_ABI if the module is of no use.
+  /// Opens the file and checks its table; the floating-point environment stays as it was.
+  /// AWD_ERROR_INVALID_ARGUMENT unless the path is absolute, AWD_ERROR_PLUGIN_LOAD or
+  /// AWD_ERROR_PLUGIN_ABI if the module is of no use.
   explicit Module(const char* absolutePath);
   /// Closes the file unless it is to stay.
   ~Module();

@@ -20,14 +20,7 @@ namespace awd {
 
 namespace {
 
-/// A name as it can be shown: cut where no valid one could go on.
-std::string shown(const char* text, std::size_t limit) {
-  std::string out(text ? text : "", text ? strnlen(text, limit) : 0);
-  for (char& c : out) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return out;
-}
+std::string nameOf(const AWDBasisFamily& family) { return printable(family.name, kLongestName); }
 
 /// The entries of $AWD_BASIS_PATH.
 std::vector<std::string> environmentFolders() {
@@ -54,10 +47,16 @@ const AWDBasisFamily& Registry::find(const char* name) {
   std::string text;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    search();
-    if (const Entry* entry = visible(name)) {
+    const Entry* entry = visible(name);
+    if (!entry) {  // one that is there wins over all that could be found
+      search();
+      settle(name);
+      entry = visible(name);
+    }
+    if (entry) {
       family = &entry->family;
     } else {
+      settleAll();
       text = missing(name);
     }
   }
@@ -69,8 +68,11 @@ const AWDBasisFamily& Registry::find(const char* name) {
 void Registry::load(const char* absolutePath) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::unique_ptr<Module> module = open(absolutePath);
-  if (inUse(module->table())) return;
-  keep(judgeWhole(module->table(), absolutePath), *module);
+  const AWDBasisModule& table = module->table();
+  for (uint32_t i = 0; i < table.familyCount; ++i) settle(nameOf(*table.families[i]));
+  if (inUse(table)) return;
+  accept(judgeWhole(table, absolutePath), table);
+  module->keep();
 }
 
 void Registry::add(const AWDBasisModule& module) {
@@ -81,7 +83,9 @@ void Registry::add(const AWDBasisModule& module) {
     refuse("", error);
     throw;
   }
-  accept(judgeWhole(module, ""));
+  for (uint32_t i = 0; i < module.familyCount; ++i) settle(nameOf(*module.families[i]));
+  if (inUse(module)) return;
+  accept(judgeWhole(module, ""), module);
 }
 
 std::size_t Registry::count() {
@@ -89,6 +93,7 @@ std::size_t Registry::count() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     search();
+    settleAll();
     count = families_.size() + refused_.size();
   }
   flushLog();
@@ -125,13 +130,6 @@ void Registry::search() {
   }
   const std::string own = libraryFolder();
   if (!own.empty()) folders_.push_back(searchFolder(own + "/" AWD_MODULE_FOLDER));
-  for (const auto& entry : refused_) {
-    // To put a family of the same name before another is what folders have an order for.
-    if (entry->status == AWD_ERROR_PLUGIN_NAME_TAKEN) continue;
-    std::string text = "basis module \"" + entry->file + "\" refused: ";
-    if (!entry->name.empty()) text += "basis \"" + entry->name + "\": ";
-    log_.push_back(text + entry->message);
-  }
   searched_ = true;
 }
 
@@ -142,12 +140,16 @@ Registry::Folder Registry::searchFolder(const std::string& path) {
     const bool missing = errno == ENOENT || errno == ENOTDIR;
     return {path, missing ? "does not exist" : std::strerror(errno)};
   }
+  const std::unique_ptr<DIR, int (*)(DIR*)> closed(folder, closedir);
+  struct stat status = {};
+  if (fstat(dirfd(folder), &status) == 0 && (status.st_mode & S_IWOTH)) {
+    return {path, "anybody may write to it, left out"};
+  }
   std::vector<std::string> names;
   while (const dirent* item = readdir(folder)) {
     const std::string_view name = item->d_name;
     if (name.size() > 3 && name.substr(name.size() - 3) == ".so") names.emplace_back(name);
   }
-  closedir(folder);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
     std::string file = path;
@@ -166,27 +168,55 @@ void Registry::searchFile(const std::string& file) {
     if (status.st_mode & S_IWOTH) {
       fail(AWD_ERROR_PLUGIN_LOAD, "anybody may write to it: take that right away (chmod o-w)");
     }
+    const auto module = std::make_shared<Module>(file.c_str());
+    const AWDBasisModule& table = module->table();
+    const bool again = std::any_of(candidates_.begin(), candidates_.end(), [&](const auto& other) {
+      return &other.module->table() == &table;
+    });
+    if (again || inUse(table)) return;
+    for (uint32_t i = 0; i < table.familyCount; ++i) {
+      candidates_.push_back({nameOf(*table.families[i]), file, table.families[i], module});
+    }
   } catch (const Error& error) {
-    refuse(file, error);
+    warn(*refuse(file, error));
+  }
+}
+
+void Registry::settle(const std::string& name) {
+  for (std::size_t i = 0; i < candidates_.size();) {
+    if (candidates_[i].name == name) {
+      settle(candidates_[i]);
+      candidates_.erase(candidates_.begin() + i);
+    } else {
+      ++i;
+    }
+  }
+}
+
+void Registry::settleAll() {
+  while (!candidates_.empty()) {
+    settle(candidates_.front());
+    candidates_.erase(candidates_.begin());
+  }
+}
+
+void Registry::settle(const Candidate& candidate) {
+  Entries entry;
+  entry.push_back(judge(*candidate.family, candidate.file, entry));
+  if (entry.front()->status == AWD_SUCCESS) {
+    accept(std::move(entry), candidate.module->table());
+    candidate.module->keep();
     return;
   }
-  std::unique_ptr<Module> module;
-  try {
-    module = open(file);
-  } catch (const Error&) {
-    return;  // listed
-  }
-  if (inUse(module->table())) return;
-  // Here one bad family does not take the others with it: nobody waits for a verdict on the whole.
-  Entries entries;
-  for (uint32_t i = 0; i < module->table().familyCount; ++i) {
-    entries.push_back(judge(*module->table().families[i], file, entries));
-  }
-  for (auto& entry : entries) {
-    if (entry->status != AWD_SUCCESS) refuse(std::move(entry));
-  }
-  entries.erase(std::remove(entries.begin(), entries.end(), nullptr), entries.end());
-  if (!entries.empty()) keep(std::move(entries), *module);
+  // To put a family of the same name before another is what folders have an order for.
+  const Entry& refused = *refuse(std::move(entry.front()));
+  if (refused.status != AWD_ERROR_PLUGIN_NAME_TAKEN) warn(refused);
+}
+
+void Registry::warn(const Entry& refused) {
+  std::string text = "basis module " + placeOf(refused) + " refused: ";
+  if (!refused.name.empty()) text += "basis \"" + refused.name + "\": ";
+  log_.push_back(text + refused.message);
 }
 
 std::unique_ptr<Module> Registry::open(const std::string& file) {
@@ -203,12 +233,12 @@ std::unique_ptr<Module> Registry::open(const std::string& file) {
 std::unique_ptr<Registry::Entry> Registry::judge(const AWDBasisFamily& family,
                                                  const std::string& file,
                                                  const Entries& besides) const {
+  const AWDBasisFamily known = knownPart(family);
   auto entry = std::make_unique<Entry>();
-  entry->name = shown(family.name, 64);
-  entry->summary = shown(family.summary, 200);
+  entry->name = nameOf(family);
+  entry->summary = printable(family.summary, kLongestSummary);
   entry->file = file;
-  std::memcpy(&entry->family, &family, sizeof family);  // the rest of a longer one is 0
-  entry->family.structSize = sizeof family;
+  entry->family = known;
   entry->family.name = entry->name.c_str();
   entry->family.summary = entry->summary.c_str();
 
@@ -218,11 +248,11 @@ std::unique_ptr<Registry::Entry> Registry::judge(const AWDBasisFamily& family,
   }
   if (taken) {
     entry->status = AWD_ERROR_PLUGIN_NAME_TAKEN;
-    entry->message = "the name is taken by " +
-                     (taken->file.empty() ? "a family in memory" : "\"" + taken->file + "\"");
+    entry->message = std::string("the name is taken by ") +
+                     (taken->file.empty() ? "a family " : "") + placeOf(*taken);
     return entry;
   }
-  const std::vector<Check> checks = selfTest(family);
+  const std::vector<Check> checks = selfTest(known);
   if (const Check* failure = firstFailure(checks)) {
     entry->status = AWD_ERROR_PLUGIN_SELF_TEST;
     entry->message = failure->sentence();
@@ -247,36 +277,31 @@ Registry::Entries Registry::judgeWhole(const AWDBasisModule& module, const std::
   throw Error(code, std::move(text));
 }
 
-void Registry::keep(Entries entries, Module& module) {
-  modules_.reserve(modules_.size() + 1);
-  accept(std::move(entries));
-  modules_.push_back(&module.table());
-  module.keep();
-}
-
-void Registry::accept(Entries entries) {
+void Registry::accept(Entries entries, const AWDBasisModule& module) {
   const auto before = [](const auto& a, const auto& b) { return a->name < b->name; };
+  modules_.reserve(modules_.size() + 1);
   families_.reserve(families_.size() + entries.size());
   for (auto& entry : entries) {
     families_.insert(std::upper_bound(families_.begin(), families_.end(), entry, before),
                      std::move(entry));
   }
+  if (!inUse(module)) modules_.push_back(&module);
 }
 
-void Registry::refuse(std::unique_ptr<Entry> entry) {
+const Registry::Entry* Registry::refuse(std::unique_ptr<Entry> entry) {
   const auto key = [](const Entry& e) { return std::tie(e.file, e.name, e.message, e.status); };
   const auto before = [&](const auto& a, const auto& b) { return key(*a) < key(*b); };
   const auto at = std::lower_bound(refused_.begin(), refused_.end(), entry, before);
-  if (at != refused_.end() && key(**at) == key(*entry)) return;  // asked for again
-  refused_.insert(at, std::move(entry));
+  if (at != refused_.end() && key(**at) == key(*entry)) return at->get();  // asked for again
+  return refused_.insert(at, std::move(entry))->get();
 }
 
-void Registry::refuse(const std::string& file, const Error& reason) {
+const Registry::Entry* Registry::refuse(const std::string& file, const Error& reason) {
   auto entry = std::make_unique<Entry>();
   entry->file = file;
   entry->status = reason.code();
   entry->message = reason.what();
-  refuse(std::move(entry));
+  return refuse(std::move(entry));
 }
 
 const Registry::Entry* Registry::visible(const std::string& name) const {
@@ -289,8 +314,12 @@ bool Registry::inUse(const AWDBasisModule& module) const {
   return std::find(modules_.begin(), modules_.end(), &module) != modules_.end();
 }
 
+std::string Registry::placeOf(const Entry& entry) {
+  return entry.file.empty() ? "in memory" : '"' + entry.file + '"';
+}
+
 std::string Registry::missing(const char* name) const {
-  std::string text = "there is no basis \"" + shown(name, 64) + "\"; there ";
+  std::string text = "there is no basis \"" + printable(name, kLongestName) + "\"; there ";
   text += families_.empty() ? "are none" : families_.size() == 1 ? "is" : "are";
   for (const auto& entry : families_) {
     text += (entry == families_.front() ? " " : ", ") + entry->name;
@@ -302,7 +331,7 @@ std::string Registry::missing(const char* name) const {
   }
   if (folders_.empty()) text += " no folder";
   for (const auto& entry : refused_) {
-    text += "; refused \"" + entry->file + "\": " + entry->message;
+    text += "; refused " + placeOf(*entry) + ": " + entry->message;
   }
   return text;
 }

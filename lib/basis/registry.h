@@ -23,14 +23,16 @@ class Registry {
   Registry(Context& context, std::vector<std::string> folders, bool ignoreEnvironment);
   ~Registry();
 
-  /// The family of that name; looks for modules when it is first called. AWD_ERROR_UNSUPPORTED
-  /// with the names there are, the paths tried and the candidates refused if there is none.
+  /// The family of that name; looks for modules when there is none and that has not been done.
+  /// AWD_ERROR_UNSUPPORTED with the names there are, the paths tried and the candidates refused if
+  /// there is none.
   const AWDBasisFamily& find(const char* name);
 
   /// Loads one module file; everything it offers, or nothing. A file that is in use already is
   /// no error.
   void load(const char* absolutePath);
-  /// Registers a table in memory; everything it offers, or nothing.
+  /// Registers a table in memory; everything it offers, or nothing. One that is in use already is
+  /// no error.
   void add(const AWDBasisModule& module);
 
   std::size_t count();
@@ -50,6 +52,14 @@ class Registry {
     std::string note;  ///< why nothing could be found there; "" if it was read
   };
 
+  /// A family of a module that was found but has not been asked for. To test them all at once
+  /// would let every host wait for families that it has no use for.
+  struct Candidate {
+    std::string name, file;
+    const AWDBasisFamily* family;
+    std::shared_ptr<Module> module;
+  };
+
   void search();
   Folder searchFolder(const std::string& path);
   void searchFile(const std::string& file);
@@ -60,13 +70,22 @@ class Registry {
                                const Entries& besides) const;
   /// All families of a module; if one is refused it is listed, and this throws.
   Entries judgeWhole(const AWDBasisModule& module, const std::string& file);
-  /// Makes families visible, all or none, and their module resident.
-  void keep(Entries entries, Module& module);
-  void accept(Entries entries);
-  void refuse(std::unique_ptr<Entry> entry);
-  void refuse(const std::string& file, const Error& reason);
+  /// Judges candidates of a name, or all, in the order in which they were found: the first good
+  /// one wins. One bad family does not take the others of its module with it, since nobody waits
+  /// for a verdict on the whole.
+  void settle(const std::string& name);
+  void settleAll();
+  void settle(const Candidate& candidate);
+  /// Makes families of a module visible, all or none.
+  void accept(Entries entries, const AWDBasisModule& module);
+  /// Lists what was refused, once.
+  const Entry* refuse(std::unique_ptr<Entry> entry);
+  const Entry* refuse(const std::string& file, const Error& reason);
+  void warn(const Entry& refused);
   const Entry* visible(const std::string& name) const;
   bool inUse(const AWDBasisModule& module) const;
+  /// How messages name where a family comes from.
+  static std::string placeOf(const Entry& entry);
   /// All that helps whoever asked for a family that is not there.
   std::string missing(const char* name) const;
   /// Sends what there is to say to the host, with no lock held.
@@ -79,9 +98,10 @@ class Registry {
   std::mutex mutex_;  // guards all below; never held while the host is called
   bool searched_ = false;
   std::vector<Folder> folders_;                 // that were searched
+  std::vector<Candidate> candidates_;           // as they were found
   Entries families_;                            // by name
   Entries refused_;                             // by file, then by name
-  std::vector<const AWDBasisModule*> modules_;  // loaded from files and in use
+  std::vector<const AWDBasisModule*> modules_;  // with families in use
   std::vector<std::string> log_;                // warnings
 };
 

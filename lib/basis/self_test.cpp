@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <new>
+#include <string>
 
 #include "basis/checks.h"
 #include "util/error.h"
@@ -13,9 +15,17 @@ namespace awd {
 namespace {
 
 constexpr uint32_t kMostCells = 1u << 21;
-constexpr uint32_t kSpots = 64;
 /// Levels above the lowest that are tested in full.
 constexpr uint32_t kFullLevels = 5;
+/// Cells and functions that are looked at on the two highest levels, and on those in between.
+constexpr uint32_t kSpots = 64, kFewSpots = 16;
+/// Levels above the lowest at which samples are counted, and the highest besides.
+constexpr uint32_t kCountedLevels = 3;
+
+uint32_t spotsOf(const AWDBasisFamily& family, const TableLevel& level, bool whole) {
+  if (whole) return kWhole;
+  return level.level + 1 >= family.maxLevel ? kSpots : kFewSpots;
+}
 
 bool isName(const char* name) {
   const std::size_t length = strnlen(name, 65);
@@ -51,6 +61,13 @@ void checkTable(const AWDBasisFamily& family, Check& check) {
   require(family.count && family.cells && family.support && family.weight && family.eval &&
               family.sample && family.twoScale,
           "%s", "a function of the table is NULL");
+  require(!family.wavelet || (family.flags & AWD_BASIS_NESTED), "%s",
+          "wavelets are given without the flag NESTED");
+  require(family.wavelet || family.vanishingMoments == 0,
+          "vanishingMoments is %u: it must be 0 without wavelets", family.vanishingMoments);
+  require(!family.wavelet || (family.vanishingMoments >= 1 && family.vanishingMoments <= kMaxOrder),
+          "vanishingMoments is %u: it must be 1 to %u with wavelets", family.vanishingMoments,
+          kMaxOrder);
 }
 
 /// Numbers of cells and functions that no table of ours would choke on.
@@ -90,8 +107,8 @@ std::vector<uint32_t> spread(uint32_t size, uint32_t limit) {
 TestedLevel::TestedLevel(const AWDBasisFamily& family, uint32_t l)
     : TableLevel(family, l),
       whole(l <= family.minLevel + kFullLevels && cells <= kWhole && count <= kWhole),
-      someCells(spread(cells, whole ? kWhole : kSpots)),
-      someFunctions(spread(count, whole ? kWhole : kSpots)) {}
+      someCells(spread(cells, spotsOf(family, *this, whole))),
+      someFunctions(spread(count, spotsOf(family, *this, whole))) {}
 
 std::vector<Check> selfTest(const AWDBasisFamily& family) {
   std::vector<Check> checks;
@@ -101,6 +118,12 @@ std::vector<Check> selfTest(const AWDBasisFamily& family) {
       body(check);
     } catch (const Error& error) {
       check.broken(error.what());
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      check.broken(std::string("a function of the table throws an exception: ") + error.what());
+    } catch (...) {
+      check.broken("a function of the table throws an exception");
     }
     return check.ok();
   };
@@ -108,13 +131,7 @@ std::vector<Check> selfTest(const AWDBasisFamily& family) {
   if (!run("sizes", 0.0, [&](Check& check) { checkSizes(family, check); })) return checks;
 
   std::vector<TestedLevel> levels;
-  const uint32_t lastFull = std::min(family.maxLevel, family.minLevel + kFullLevels);
-  for (uint32_t l = family.minLevel; l <= lastFull; ++l) levels.emplace_back(family, l);
-  // The spots: at the highest level, and from the one below up to it.
-  for (uint32_t l = std::max(lastFull + 1, family.maxLevel - 1);
-       lastFull < family.maxLevel && l <= family.maxLevel; ++l) {
-    levels.emplace_back(family, l);
-  }
+  for (uint32_t l = family.minLevel; l <= family.maxLevel; ++l) levels.emplace_back(family, l);
 
   using LevelCheck = void (*)(const TestedLevel&, Check&);
   const auto everyLevel = [&](LevelCheck body) {
@@ -126,6 +143,14 @@ std::vector<Check> selfTest(const AWDBasisFamily& family) {
     return [&, body](Check& check) {
       for (const TestedLevel& level : levels) {
         if (level.whole) body(level, check);
+      }
+    };
+  };
+  const auto lowestAndHighest = [&](LevelCheck body) {
+    return [&, body](Check& check) {
+      for (const TestedLevel& level : levels) {
+        const bool lowest = level.level <= family.minLevel + kCountedLevels;
+        if (lowest || level.level == family.maxLevel) body(level, check);
       }
     };
   };
@@ -149,13 +174,22 @@ std::vector<Check> selfTest(const AWDBasisFamily& family) {
   run("two-scale", 1e-11, everyStep(checkTwoScale));
   run("two-scale mass", 1e-11, everyStep(checkTwoScaleMass));
   run("samples", 1e-8, everyLevel(checkSamples));
-  run("distribution", 1.0, everyLevel(checkDistribution));
+  run("distribution", 1.0, lowestAndHighest(checkDistribution));
   run("gram", 1e8, wholeLevels(checkGram));
   if (family.flags & AWD_BASIS_ORTHOGONAL) {
     run("orthogonal", 1e-12, wholeLevels(checkOrthogonal));
   }
-  if (family.flags & AWD_BASIS_NESTED) run("nested", 1e-9, everyLevel(checkNested));
   if (family.flags & AWD_BASIS_PERIODIC) run("periodic", 1e-11, wholeLevels(checkPeriodic));
+  if (family.flags & AWD_BASIS_NESTED) {
+    if (!run("nested", 1e-9, everyLevel(checkNested))) return checks;
+    const auto once = [&](void (*body)(const AWDBasisFamily&, Check&)) {
+      return [&, body](Check& check) { body(family, check); };
+    };
+    if (!run("tree sizes", 0.0, once(checkTreeSizes))) return checks;
+    if (!run("copies", 1e-11, everyLevel(checkCopies)) || !family.wavelet) return checks;
+    if (!run("vanishing moments", 1e-12, once(checkVanishingMoments))) return checks;
+    run("wavelets", 1e8, once(checkWavelets));
+  }
   return checks;
 }
 

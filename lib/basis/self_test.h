@@ -11,7 +11,7 @@
 namespace awd {
 
 /// All checks that could be made, in order; those that stand on a failed one are left out. The
-/// lowest levels are tested in full, the highest in places. `family` has passed checkModule.
+/// lowest levels are tested in full, those above in places. `family` has passed checkModule.
 std::vector<Check> selfTest(const AWDBasisFamily& family);
 
 /// The first check that failed, or null.

@@ -7,19 +7,6 @@
 
 namespace awd {
 
-namespace {
-
-/// The largest float within cell `cell`, which x has left by rounding; or the smallest.
-float clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
-  auto rounded = static_cast<float>(x);
-  if (rounded >= 1.0f) rounded = std::nextafter(1.0f, 0.0f);
-  while (cellOf(level, rounded) > cell) rounded = std::nextafter(rounded, 0.0f);
-  while (cellOf(level, rounded) < cell) rounded = std::nextafter(rounded, 1.0f);
-  return rounded;
-}
-
-}  // namespace
-
 double bernstein(const double* coefficients, uint32_t order, double t) {
   double row[AWD_BASIS_MAX_ORDER + 1];
   std::copy(coefficients, coefficients + order, row);
@@ -28,6 +15,17 @@ double bernstein(const double* coefficients, uint32_t order, double t) {
   }
   return row[0];
 }
+
+template <class Real>
+Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
+  auto rounded = static_cast<Real>(x);
+  if (rounded >= Real{1}) rounded = std::nextafter(Real{1}, Real{0});
+  while (cellOf(level, rounded) > cell) rounded = std::nextafter(rounded, Real{0});
+  while (cellOf(level, rounded) < cell) rounded = std::nextafter(rounded, Real{1});
+  return rounded;
+}
+template float clampIntoCell<float>(const BasisLevel&, uint32_t, double);
+template double clampIntoCell<double>(const BasisLevel&, uint32_t, double);
 
 void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) {
   const uint32_t cell = cellOf(level, x);
@@ -72,7 +70,8 @@ double invertPolynomialCdf(const double* coefficients, uint32_t order, double u)
   return t;
 }
 
-float sampleComponent(const BasisLevel& level, uint32_t j, double uniform) {
+template <class Real>
+Real sampleComponent(const BasisLevel& level, uint32_t j, double uniform) {
   const BasisLevel::Piece* begin = &level.componentPieces[level.componentBegin[j]];
   const BasisLevel::Piece* end = level.componentPieces.data() + level.componentBegin[j + 1];
   const BasisLevel::Piece* piece = begin;
@@ -81,7 +80,10 @@ float sampleComponent(const BasisLevel& level, uint32_t j, double uniform) {
   const double within = std::clamp((uniform - before) / (piece->cumulative - before), 0.0, 1.0);
   const std::size_t row = std::size_t{piece->cell} * level.alive + piece->row;
   const double t = invertPolynomialCdf(&level.pieces[row * level.order], level.order, within);
-  return clampIntoCell(level, piece->cell, (piece->cell + t) / level.cells);
+  return clampIntoCell<Real>(level, piece->cell, (piece->cell + t) / level.cells);
 }
+
+template float sampleComponent<float>(const BasisLevel&, uint32_t, double);
+template double sampleComponent<double>(const BasisLevel&, uint32_t, double);
 
 }  // namespace awd

@@ -28,9 +28,14 @@ double bernstein(const double* coefficients, uint32_t order, double t);
 /// N_j(x) for all j alive at x in [0,1].
 void evaluateAxis(const BasisLevel& level, double x, AxisValues& values);
 
-/// x ~ p_j = N_j / w_j from one uniform in [0,1), as a float that lies in the cell that was drawn
-/// (eq. 3; the piece by its mass, then the inverse CDF of the polynomial in it).
-float sampleComponent(const BasisLevel& level, uint32_t j, double uniform);
+/// x as a float or double that lies in `cell`, which rounding may have made it leave, and below 1.
+template <class Real>
+Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x);
+
+/// x ~ p_j = N_j / w_j from one uniform in [0,1), as a float or double that lies in the cell that
+/// was drawn (eq. 3; the piece by its mass, then the inverse CDF of the polynomial in it).
+template <class Real>
+Real sampleComponent(const BasisLevel& level, uint32_t j, double uniform);
 
 /// Solves F(t) = u F(1) for t in [0,1], F the integral of a non-negative polynomial with F(1) > 0
 /// given by its Bernstein coefficients. Closed forms up to degree 1, then Newton's method kept

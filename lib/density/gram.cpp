@@ -4,30 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "basis/bernstein.h"
 #include "util/error.h"
 
 namespace awd {
 
 namespace {
-
-double binomial(uint32_t n, uint32_t k) {
-  double value = 1.0;
-  for (uint32_t i = 0; i < k; ++i) value = value * (n - i) / (i + 1);
-  return value;
-}
-
-/// int_0^1 of the product of two polynomials of degree q given by Bernstein coefficients:
-/// int B_i^q B_k^q = C(q,i) C(q,k) / (C(2q,i+k) (2q+1)).
-double productIntegral(const double* a, const double* b, uint32_t order) {
-  const uint32_t degree = order - 1;
-  double sum = 0.0;
-  for (uint32_t i = 0; i < order; ++i) {
-    for (uint32_t k = 0; k < order; ++k) {
-      sum += a[i] * b[k] * binomial(degree, i) * binomial(degree, k) / binomial(2 * degree, i + k);
-    }
-  }
-  return sum / (2 * degree + 1);
-}
 
 /// Calls visit(j, k, int over one cell of N_j N_k) for every cell and pair alive on it.
 template <class Visit>
@@ -36,8 +18,8 @@ void forEachCellIntegral(const BasisLevel& level, Visit&& visit) {
     const std::size_t first = std::size_t{cell} * level.alive;
     for (std::size_t a = first; a < first + level.alive; ++a) {
       for (std::size_t b = first; b < first + level.alive; ++b) {
-        const double integral = productIntegral(&level.pieces[a * level.order],
-                                                &level.pieces[b * level.order], level.order);
+        const double integral = bernsteinProductIntegral(
+            &level.pieces[a * level.order], &level.pieces[b * level.order], level.order);
         if (integral != 0.0) {
           visit(level.functions[a], level.functions[b], integral / level.cells);
         }

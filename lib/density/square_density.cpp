@@ -70,8 +70,8 @@ SquareSample SquareDensity::sample(const double uniforms[3]) const {
       std::min<std::size_t>(chosen - cumulative_.begin(), cumulative_.size() - 1));
   SquareSample sample;
   sample.component = component;
-  sample.u = sampleComponent(*level_, component / level_->count, uniforms[1]);
-  sample.v = sampleComponent(*level_, component % level_->count, uniforms[2]);
+  sample.u = sampleComponent<float>(*level_, component / level_->count, uniforms[1]);
+  sample.v = sampleComponent<float>(*level_, component % level_->count, uniforms[2]);
   sample.pdf = pdf(sample.u, sample.v);
   return sample;
 }

@@ -110,7 +110,7 @@ static void checkStructRules(void) {
   old.structSize = offsetof(AWDBasisInfo, file);
   CHECK(awdGetBasisInfo(device, 0, &old) == AWD_SUCCESS);
   CHECK(old.structSize == offsetof(AWDBasisInfo, file));
-  CHECK(strcmp(old.name, "haar") == 0);
+  CHECK(old.name[0] != '\0');
   for (i = offsetof(AWDBasisInfo, file); i < sizeof old; ++i) {
     CHECK(((unsigned char*)&old)[i] == 0xff);
   }

@@ -5,7 +5,7 @@ box=$scenes/box.obj
 small="--width 8 --height 8"
 
 succeeds "$awd" --help
-for subcommand in render png compare bases; do
+for subcommand in render png compare bases check-basis; do
   grep -q "^  $subcommand" out || complain "--help does not list $subcommand"
 done
 succeeds "$awd" render --help
@@ -25,6 +25,8 @@ fails 2 "extra.obj" "$awd" render "$box" extra.obj -o out.exr
 fails 2 "OUT" "$awd" png film.exr
 fails 2 "REF" "$awd" compare a.exr
 fails 2 "nonsense" "$awd" bases nonsense
+fails 2 "FILE" "$awd" check-basis
+fails 2 "more.so" "$awd" check-basis one.so more.so
 
 render="$awd render $box -o out.exr $small"
 fails 2 "--guide" $render --guide bsdf

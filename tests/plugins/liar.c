@@ -5,10 +5,18 @@
  */
 #include "awd/basis.h"
 
+#ifdef LIE_ROUNDING /* the truth, but loading it leaves traces, as with -ffast-math */
+#include <fenv.h>
+
+static void __attribute__((constructor)) changeRounding(void) { fesetround(FE_UPWARD); }
+#endif
+
 #ifndef LIE_NO_ENTRY
 
 #ifdef LIE_FLAGS
 #define LEVELS 0 /* two straight lines on one cell, said to be orthogonal */
+#elif defined(LIE_MIDDLE)
+#define LEVELS 16
 #else
 #define LEVELS 8
 #endif
@@ -45,6 +53,8 @@ static double AWD_CALL weight(uint32_t level, uint32_t j) {
   (void)j;
 #if defined(LIE_WEIGHT)
   return level == 1 && j == 0 ? 0.50005 : 1.0 / cellsOf(level);
+#elif defined(LIE_MIDDLE) /* between the levels that are tested in full and the highest */
+  return (level == 9 && j == 1 ? 1.001 : 1.0) / cellsOf(level);
 #elif defined(LIE_FLAGS)
   return 0.5 / cellsOf(level);
 #else
@@ -104,9 +114,10 @@ static double AWD_CALL sample(uint32_t level, uint32_t j, const double* u) {
 }
 
 #ifdef LIE_NULL_FUNCTION
-#define twoScale NULL
+#define REFINE NULL
 #else
-static uint32_t AWD_CALL twoScale(uint32_t level, uint32_t j, uint32_t* first, double* h) {
+#define REFINE refine
+static uint32_t AWD_CALL refine(uint32_t level, uint32_t j, uint32_t* first, double* h) {
   (void)level;
   *first = 2 * j;
   h[0] = 1.0;
@@ -118,8 +129,28 @@ static uint32_t AWD_CALL twoScale(uint32_t level, uint32_t j, uint32_t* first, d
 }
 #endif
 
+#if defined(LIE_WAVELET_MASS) || defined(LIE_WAVELET_NAN) || defined(LIE_WAVELET_NONE)
+#define WAVELET wavelet
+#define MOMENTS 1
+static void AWD_CALL wavelet(uint32_t k, double* g) {
+  (void)k;
+#if defined(LIE_WAVELET_MASS)
+  g[0] = 1.0;
+  g[1] = -0.5;
+#elif defined(LIE_WAVELET_NAN)
+  g[0] = 1.0;
+  g[1] = 0.0 * (1e308 * 10.0);
+#else
+  g[0] = g[1] = 0.0;
+#endif
+}
+#else
+#define WAVELET NULL
+#define MOMENTS 0
+#endif
+
 #ifdef LIE_SHORT_STRUCT
-#define SIZE (sizeof(AWDBasisFamily) - 8)
+#define SIZE (offsetof(AWDBasisFamily, twoScale))
 #else
 #define SIZE sizeof(AWDBasisFamily)
 #endif
@@ -138,31 +169,63 @@ static uint32_t AWD_CALL twoScale(uint32_t level, uint32_t j, uint32_t* first, d
 #elif defined(LIE_UNKNOWN_FLAG)
 #define FLAGS 0x100u
 #define ORDER 1
+#elif MOMENTS > 0
+#define FLAGS AWD_BASIS_NESTED
+#define ORDER 1
 #else
 #define FLAGS 0
 #define ORDER 1
 #endif
 
-static const AWDBasisFamily family = {SIZE,  NAME,    "Box functions, with a lie",
-                                      FLAGS, ORDER,   ORDER,
-                                      0,     LEVELS,  count,
-                                      cells, support, weight,
-                                      eval,  sample,  twoScale};
+static const AWDBasisFamily family = {
+    .structSize = SIZE,
+    .name = NAME,
+    .summary = "Box functions, with a lie",
+    .flags = FLAGS,
+    .order = ORDER,
+    .sampleDims = ORDER,
+    .minLevel = 0,
+    .maxLevel = LEVELS,
+    .count = count,
+    .cells = cells,
+    .support = support,
+    .weight = weight,
+    .eval = eval,
+    .sample = sample,
+    .twoScale = REFINE,
+    .wavelet = WAVELET,
+    .vanishingMoments = MOMENTS,
+};
 
-static const AWDBasisFamily* const families[] = {&family};
-
-static const AWDBasisModule module = {sizeof(AWDBasisModule),
-#if defined(LIE_ABI)
-                                      AWD_BASIS_ABI + 6,
+#ifdef LIE_TWICE
+static const AWDBasisFamily* const families[] = {&family, &family};
 #else
-                                      AWD_BASIS_ABI,
+static const AWDBasisFamily* const families[] = {&family};
 #endif
-                                      1,
-                                      "1",
-                                      "Apache-2.0",
-                                      families};
 
-AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host) {
+#ifdef LIE_ABI
+#define ABI (AWD_BASIS_ABI + 6)
+#else
+#define ABI AWD_BASIS_ABI
+#endif
+
+static const AWDBasisModule module = {
+    .structSize = sizeof(AWDBasisModule),
+    .abi = ABI,
+    .familyCount = sizeof families / sizeof families[0],
+    .version = "1",
+    .license = "Apache-2.0",
+    .families = families,
+};
+
+#if defined(LIE_NEWER)
+#define ENTRY awdBasisModule_v2
+AWD_EXPORT const AWDBasisModule* AWD_CALL ENTRY(const AWDBasisHost* host);
+#else
+#define ENTRY AWD_BASIS_ENTRY
+#endif
+
+AWD_EXPORT const AWDBasisModule* AWD_CALL ENTRY(const AWDBasisHost* host) {
   (void)host;
 #if defined(LIE_NULL_MODULE)
   return module.abi ? NULL : &module;

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "honest.h"
 #include "support.h"
 
 namespace {
@@ -60,7 +61,10 @@ TEST(Search, AMissingFamilyNamesWhatThereIsAndWhereItLooked) {
   const std::string message = missing(device, "no-such-basis");
   const std::string own = fs::path(AWD_HAAR_FILE).parent_path();
   EXPECT_EQ(message,
-            "awdNewField: there is no basis \"no-such-basis\"; there is haar; looked in \"" +
+            "awdNewField: there is no basis \"no-such-basis\"; there are f2, haar, "
+            "linear-bspline, linear-bspline-periodic, m2, m3, quadratic-bspline, "
+            "quadratic-bspline-periodic; "
+            "looked in \"" +
                 empty.path() + "\" (has no .so file), \"" + (empty / "nothing") +
                 "\" (does not exist), \"" + own + "\"");
 }
@@ -141,6 +145,73 @@ TEST(Search, AFileThatAnybodyMayWriteIsRefused) {
   EXPECT_TRUE(test::contains(test::listing(device)[1].message, "anybody may write to it"));
   // Whoever names the file has chosen it.
   EXPECT_EQ(awdLoadBasisModule(device, file.c_str()), AWD_SUCCESS);
+}
+
+TEST(Search, AFolderThatAnybodyMayWriteIsLeftOut) {
+  const test::Folder folder;
+  fs::copy(AWD_LYING_FOLDER "/none.so", folder / "liar.so");
+  ASSERT_EQ(chmod(folder.path().c_str(), 01777), 0);
+  const Searching device({folder.path()});
+  EXPECT_EQ(test::names(device), "haar");
+  const std::string message = missing(device, "truthful");
+  EXPECT_TRUE(
+      test::contains(message, "\"" + folder.path() + "\" (anybody may write to it, left out)"))
+      << message;
+}
+
+TEST(Search, FamiliesThatNobodyAsksForAreNotTested) {
+  const test::Folder folder;
+  fs::copy(AWD_LYING_FOLDER "/weight.so", folder / "weight.so");
+  const std::string path = folder.path();
+  const char* const paths[] = {path.c_str()};
+  std::vector<std::string> log;
+  AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
+  desc.basisPaths = paths;
+  desc.basisPathCount = 1;
+  desc.logUser = &log;
+  desc.log = [](void* user, int32_t, const char* text) {
+    static_cast<std::vector<std::string>*>(user)->push_back(text);
+  };
+  const test::Device device(&desc);
+  AWDFieldDesc field = AWD_FIELD_DESC_INIT;
+  AWDField made = nullptr;
+  EXPECT_EQ(awdNewField(device, &field, &made), AWD_SUCCESS) << awdGetLastErrorMessage();
+  awdReleaseField(made);
+  EXPECT_TRUE(log.empty()) << log[0];
+  EXPECT_EQ(test::names(device), "haar");
+  EXPECT_EQ(log.size(), 1u);
+}
+
+TEST(Search, WhoeverBringsItsBasesNeedsNoFolder) {
+  const test::Folder folder;
+  std::ofstream(folder / "text.so") << "no module, and a warning to whoever looks";
+  const Environment environment(folder.path());
+  int warnings = 0;
+  AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
+  desc.logUser = &warnings;
+  desc.log = [](void* user, int32_t, const char*) { ++*static_cast<int*>(user); };
+  const test::Device device(&desc);
+  ASSERT_EQ(awdRegisterBasisModule(device, honestModule()), AWD_SUCCESS);
+  AWDFieldDesc field = AWD_FIELD_DESC_INIT;
+  field.basis = "test-linear";
+  AWDField made = nullptr;
+  EXPECT_EQ(awdNewField(device, &field, &made), AWD_SUCCESS) << awdGetLastErrorMessage();
+  awdReleaseField(made);
+  EXPECT_EQ(warnings, 0);
+  test::listing(device);
+  EXPECT_EQ(warnings, 1);
+}
+
+TEST(Search, AFoundFamilyHoldsItsNameBeforeItIsAskedFor) {
+  const test::Folder folder;
+  for (const char* name : {"a.so", "b.so"}) fs::copy(AWD_LYING_FOLDER "/none.so", folder / name);
+  const Searching device({folder.path()});
+  AWDField made = nullptr;
+  EXPECT_EQ(awdNewField(device, nullptr, &made), AWD_SUCCESS);  // has looked, for haar
+  awdReleaseField(made);
+  EXPECT_EQ(awdLoadBasisModule(device, (folder / "b.so").c_str()), AWD_ERROR_PLUGIN_NAME_TAKEN);
+  EXPECT_TRUE(test::contains(awdGetLastErrorMessage(), "is taken by \"" + (folder / "a.so")));
+  EXPECT_EQ(awdLoadBasisModule(device, (folder / "a.so").c_str()), AWD_SUCCESS);
 }
 
 TEST(Search, OnlyFilesThatEndInSo) {

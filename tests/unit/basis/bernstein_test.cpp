@@ -38,6 +38,17 @@ TEST(Bernstein, IntegralFollowsSimpson) {
   }
 }
 
+TEST(Bernstein, ProductIntegralFollowsBoole) {
+  const double a[3] = {1.0, -2.0, 5.0}, b[3] = {0.5, 4.0, 1.0};
+  const auto product = [&](double t) { return bernsteinValue(a, 3, t) * bernsteinValue(b, 3, t); };
+  // Boole's rule is exact for degree 4.
+  const double want = (7 * product(0) + 32 * product(0.25) + 12 * product(0.5) +
+                       32 * product(0.75) + 7 * product(1)) /
+                      90;
+  EXPECT_NEAR(bernsteinProductIntegral(a, b, 3), want, 1e-14);
+  EXPECT_EQ(bernsteinProductIntegral(a, b, 1), 0.5) << "constants";
+}
+
 TEST(Bernstein, FitFindsTheCoefficients) {
   for (uint32_t order = 1; order <= kMaxOrder; ++order) {
     const BernsteinFit fit(order);

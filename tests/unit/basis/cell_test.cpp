@@ -80,6 +80,20 @@ TEST(Cell, WhatIsOutOfRangeThrows) {
             "twoScale: level 2, function 1: gives 17 values, but it may be 1 to 16");
 }
 
+TEST(Cell, WaveletsStayWithinTheirRow) {
+  AWDBasisFamily table = test::haar();
+  double g[2 * kMaxOrder];
+  readWavelet(table, 0, 2, g);
+  EXPECT_EQ(g[0], 1.0);
+  EXPECT_EQ(g[1], -1.0);
+  table.wavelet = [](uint32_t, double* row) { row[0] = row[1] = row[2] = 0.5; };
+  EXPECT_EQ(errorOf([&] { readWavelet(table, 0, 2, g); }),
+            "wavelet 0: writes more than the 2 coefficients of level 1");
+  table.wavelet = [](uint32_t, double* row) { row[0] = 0.5; };
+  EXPECT_EQ(errorOf([&] { readWavelet(table, 0, 2, g); }).substr(0, 41),
+            "wavelet 0: coefficient 1 is not finite: g");
+}
+
 TEST(Cell, FitGivesBernsteinCoefficients) {
   const TableLevel level(test::quadratic(), 2);
   const CellPieces cell = fitCell(level, 1, BernsteinFit(3));

@@ -184,4 +184,78 @@ TEST(Checks, FlagsMustBeTrue) {
   EXPECT_EQ(complaint(family), "values: eval: functions 0 to 1, but level 0 has 1");
 }
 
+TEST(Checks, NestedFamiliesAreCopiesOfLevelZero) {
+  AWDBasisFamily family = test::haar();
+  family.minLevel = 1;
+  EXPECT_EQ(complaint(family),
+            "tree sizes: flag NESTED: levels 1 to 20: they must be 0 to at least 1");
+  family.minLevel = family.maxLevel = 0;
+  EXPECT_EQ(complaint(family),
+            "tree sizes: flag NESTED: levels 0 to 0: they must be 0 to at least 1");
+  // From level 1 on, a level too far.
+  family = test::haar();
+  family.maxLevel = 6;
+  family.count = family.cells = [](uint32_t level) { return level > 0 ? 2u << level : 1u; };
+  family.support = [](uint32_t level, uint32_t j, double ab[2]) {
+    test::haar().support(level > 0 ? level + 1 : 0, j, ab);
+  };
+  family.weight = [](uint32_t level, uint32_t) { return 1.0 / (level > 0 ? 2u << level : 1u); };
+  family.eval = [](uint32_t level, double x, uint32_t* first, double* values) {
+    return test::haar().eval(level > 0 ? level + 1 : 0, x, first, values);
+  };
+  family.sample = [](uint32_t level, uint32_t j, const double* u) {
+    return test::haar().sample(level > 0 ? level + 1 : 0, j, u);
+  };
+  family.twoScale = [](uint32_t level, uint32_t j, uint32_t* first, double* h) {
+    *first = 2 * j;
+    h[0] = h[1] = h[2] = h[3] = 1.0;
+    return level > 0 ? 2u : 4u;
+  };
+  EXPECT_EQ(complaint(family),
+            "tree sizes: flag NESTED is not true: level 1 has 4 functions, want those of 2 copies "
+            "of level 0, 2");
+  // The two functions of level 1 in the wrong order.
+  family = test::haar();
+  family.eval = [](uint32_t level, double x, uint32_t* first, double* values) {
+    const uint32_t size = test::haar().eval(level, x, first, values);
+    if (level == 1) *first = 1 - *first;
+    return size;
+  };
+  for (const uint32_t l : {0u, 1u, 2u}) {
+    Check check("copies", 1e-11);
+    checkCopies(TestedLevel(family, l), check);
+    EXPECT_EQ(check.ok(), l != 1);
+    const char* const sentence =
+        "flag NESTED is not true: level 1, function 0, x = 0.068333333333333329: got 0, but "
+        "function 0 of level 0 is 1 there";
+    EXPECT_EQ(check.sentence(), l == 1 ? sentence : "");
+  }
+}
+
+TEST(Checks, WaveletsMustBeWhatTheyClaim) {
+  AWDBasisFamily family = test::haar();
+  family.vanishingMoments = 2;
+  EXPECT_EQ(complaint(family),
+            "vanishing moments: wavelet 0 has not the 2 vanishing moments claimed: int x^1 psi is "
+            "-0.25 of its norm, want 0");
+  family.wavelet = [](uint32_t, double* g) { g[0] = g[1] = 0.5; };
+  EXPECT_EQ(complaint(family),
+            "vanishing moments: wavelet 0 carries mass: its integral is 1 of its norm, want 0");
+  family.vanishingMoments = 1;
+  family.wavelet = [](uint32_t, double* g) { g[0] = g[1] = 0.0; };
+  EXPECT_EQ(complaint(family),
+            "wavelets: wavelets do not determine level 1: wavelet 0 is a combination of level 0 "
+            "and the wavelets before it (squared distance 0 of 1)");
+  family.wavelet = nullptr;
+  EXPECT_EQ(complaint(family), "table: vanishingMoments is 1: it must be 0 without wavelets");
+  family.vanishingMoments = 0;
+  EXPECT_EQ(complaint(family), "") << "the library finds wavelets";
+  family = test::haar();
+  family.vanishingMoments = 0;
+  EXPECT_EQ(complaint(family), "table: vanishingMoments is 0: it must be 1 to 8 with wavelets");
+  family.flags = AWD_BASIS_ORTHOGONAL;
+  family.vanishingMoments = 1;
+  EXPECT_EQ(complaint(family), "table: wavelets are given without the flag NESTED");
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -147,6 +148,26 @@ TEST(Family, HaarIsExact) {
   }
 }
 
+TEST(Family, FlagsAndSplit) {
+  const Family haar = compile(test::haar(), 2), around = compile(test::linearPeriodic(), 0);
+  EXPECT_TRUE(haar.nested() && haar.orthogonal() && !haar.periodic());
+  EXPECT_TRUE(around.periodic() && !around.nested() && !around.orthogonal());
+  EXPECT_EQ(around.order(), 2u);
+  EXPECT_EQ(around.split().size, 0u);
+  EXPECT_TRUE(around.split().functions.empty() && around.split().wavelets.empty());
+  EXPECT_EQ(haar.split().size, 1u);
+  EXPECT_EQ(haar.split().functions, (std::pmr::vector<double>{1.0, 1.0}));
+  EXPECT_EQ(haar.split().wavelets, (std::pmr::vector<double>{1.0, -1.0}));
+  EXPECT_EQ(haar.split().vanishingMoments, 1u);
+
+  AWDBasisFamily without = test::haar();
+  without.wavelet = nullptr;
+  const Family found = compile(without, 0);  // no level 1 among its tables
+  ASSERT_EQ(found.split().wavelets.size(), 2u);
+  EXPECT_NEAR(std::abs(found.split().wavelets[0]), 1.0, 1e-15);
+  EXPECT_NEAR(found.split().wavelets[0] + found.split().wavelets[1], 0.0, 1e-15);
+}
+
 TEST(Family, PeriodicRepeatsAreOneFunction) {
   const Family family = compile(test::linearPeriodic(), 1);
   const BasisLevel& zero = family.level(0);
@@ -202,7 +223,7 @@ TEST(Family, MemoryIsTheResourcesAndComesBack) {
     }
   } memory;
   {
-    const Family family(&memory, test::quadratic(), 8);
+    const Family family(&memory, test::quadratic(), 8), nested(&memory, test::haar(), 3);
     EXPECT_GT(memory.bytes, family.level(8).pieces.size() * sizeof(double));
   }
   EXPECT_GT(memory.calls, 0u);

@@ -85,7 +85,7 @@ TEST(Axis, ComponentsAreDrawnFromTheirPdf) {
           cdf[g + 1] = cdf[g] + byPlugin(t, l, (g + 0.5) / kGrid)[j] / kGrid;
         }
         std::vector<double> sorted(kSamples);
-        for (double& x : sorted) x = sampleComponent(compiled.level(l), j, random());
+        for (double& x : sorted) x = sampleComponent<float>(compiled.level(l), j, random());
         std::sort(sorted.begin(), sorted.end());
         double distance = 0.0;
         for (int i = 0; i < kSamples; ++i) {
@@ -108,7 +108,7 @@ TEST(Axis, SamplesStayInTheUnitIntervalAtTheEnds) {
     for (const uint32_t l : {0u, 3u, 6u}) {
       for (uint32_t j = 0; j < compiled.level(l).count; ++j) {
         for (const double u : {0.0, 0x1p-53, 1.0 - 0x1p-53}) {
-          const float x = sampleComponent(compiled.level(l), j, u);
+          const float x = sampleComponent<float>(compiled.level(l), j, u);
           EXPECT_GE(x, 0.0f);
           EXPECT_LT(x, 1.0f);
         }

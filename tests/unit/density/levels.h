@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled families for the tests of densities and fields: the Haar plugin, linked in, and the
-// honest test plugin's B-splines.
+// Compiled families for the tests of densities and fields: our plugins, linked in, and the honest
+// test plugin's B-splines.
 #pragma once
 
 #include <cstdlib>
@@ -12,25 +12,31 @@
 #include "basis/family.h"
 #include "honest.h"
 
-/// The entry point of the Haar plugin, renamed for these tests so that it can be linked in.
-extern "C" const AWDBasisModule* haarModule(const AWDBasisHost* host);
+/// The entry points of the plugins, renamed for these tests so that they can be linked in.
+extern "C" {
+const AWDBasisModule* haarModule(const AWDBasisHost* host);
+const AWDBasisModule* flatletModule(const AWDBasisHost* host);
+const AWDBasisModule* linearModule(const AWDBasisHost* host);
+const AWDBasisModule* multiwaveletModule(const AWDBasisHost* host);
+const AWDBasisModule* quadraticModule(const AWDBasisHost* host);
+}
 
 namespace awd {
 
-inline const AWDBasisFamily& haarTable() {
-  static const AWDBasisHost host = {sizeof(AWDBasisHost), AWD_BASIS_ABI, AWD_VERSION};
-  return *haarModule(&host)->families[0];
-}
-
-/// A table of tests/plugins/honest.c, or Haar's, by name.
+/// A table of a plugin or of tests/plugins/honest.c by name.
 inline const AWDBasisFamily& table(const char* name) {
-  if (std::strcmp(name, "haar") == 0) return haarTable();
-  const AWDBasisModule* module = honestModule();
-  for (uint32_t i = 0; i < module->familyCount; ++i) {
-    if (std::strcmp(module->families[i]->name, name) == 0) return *module->families[i];
+  static const AWDBasisHost host = {sizeof(AWDBasisHost), AWD_BASIS_ABI, AWD_VERSION};
+  for (const AWDBasisModule* module :
+       {haarModule(&host), flatletModule(&host), linearModule(&host), multiwaveletModule(&host),
+        quadraticModule(&host), honestModule()}) {
+    for (uint32_t i = 0; i < module->familyCount; ++i) {
+      if (std::strcmp(module->families[i]->name, name) == 0) return *module->families[i];
+    }
   }
   std::abort();
 }
+
+inline const AWDBasisFamily& haarTable() { return table("haar"); }
 
 inline Family family(const char* name, uint32_t maxLevel = 6) {
   return Family(std::pmr::get_default_resource(), table(name), maxLevel);
@@ -38,6 +44,17 @@ inline Family family(const char* name, uint32_t maxLevel = 6) {
 
 constexpr const char* kFamilies[] = {"haar", "test-linear", "test-linear-periodic",
                                      "test-quadratic"};
+
+/// Those we ship; the nested ones, with wavelets, first.
+constexpr const char* kShipped[] = {"haar",
+                                    "f2",
+                                    "m2",
+                                    "m3",
+                                    "linear-bspline",
+                                    "linear-bspline-periodic",
+                                    "quadratic-bspline",
+                                    "quadratic-bspline-periodic"};
+constexpr const char* kNested[] = {"haar", "f2", "m2", "m3"};
 
 /// Uniforms in [0,1) with 53 bits, from a fixed seed.
 class Uniforms {

@@ -1,8 +1,14 @@
-# Families to test with: the Haar plugin, linked in under another name, and honest B-splines.
-add_library(unit-families OBJECT ${PROJECT_SOURCE_DIR}/bases/haar/haar.c)
-target_compile_definitions(unit-families PRIVATE awdBasisModule_v1=haarModule)
+# Families to test with: the plugins, linked in under other names, and honest B-splines.
+add_library(unit-families OBJECT)
+foreach(plugin haar/haar flatlet/flatlet linear-bspline/linear multiwavelet/multiwavelet
+    quadratic-bspline/quadratic)
+  set(source ${PROJECT_SOURCE_DIR}/bases/${plugin}.c)
+  cmake_path(GET source STEM stem)
+  target_sources(unit-families PRIVATE ${source})
+  set_property(SOURCE ${source} PROPERTY COMPILE_DEFINITIONS awdBasisModule_v1=${stem}Module)
+endforeach()
 target_link_libraries(unit-families PUBLIC awd-settings awd-test-bases)
 
-awd_unit_test(density axis_test.cpp gram_test.cpp projection_test.cpp square_density_test.cpp
-  square_statistics_test.cpp)
+awd_unit_test(density axis_test.cpp bases_test.cpp gram_test.cpp projection_test.cpp
+  square_density_test.cpp square_statistics_test.cpp wavelet_test.cpp)
 target_link_libraries(unit-density PRIVATE unit-families)

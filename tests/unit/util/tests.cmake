@@ -7,4 +7,5 @@ awd_unit_test(util
   parallel_test.cpp
   random_test.cpp
   ref_test.cpp
+  small_matrix_test.cpp
   vec_test.cpp)

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "density/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "util/error.h"
+
+namespace awd {
+
+namespace {
+
+Scaled split(double value) {
+  Scaled out;
+  out.value = std::frexp(value, &out.exponent);
+  return out;
+}
+
+template <class Sum>
+void addEach(std::pmr::vector<Sum>& to, const std::pmr::vector<Sum>& from) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
+}
+
+}  // namespace
+
+WeighedSample::WeighedSample(double f, double p, AWDTarget aim) : target(split(std::abs(f))) {
+  const Scaled density = split(p);
+  inverse = {1.0 / density.value, -density.exponent};
+  ratio = {std::copysign(target.value, f) * inverse.value, target.exponent + inverse.exponent};
+  if (aim == AWD_TARGET_RMS) target = {target.value * target.value, 2 * target.exponent};
+}
+
+void BoxTally::add(const WeighedSample& sample) {
+  weight.add(sample.inverse.value, sample.inverse.exponent);
+  value.add(sample.target.value * sample.inverse.value,
+            sample.target.exponent + sample.inverse.exponent);
+  square.add(sample.target.value * sample.target.value * sample.inverse.value,
+             2 * sample.target.exponent + sample.inverse.exponent);
+}
+
+void BoxTally::add(const BoxTally& other) {
+  weight.add(other.weight);
+  value.add(other.value);
+  square.add(other.square);
+}
+
+void PassSums::add(const WeighedSample& sample) {
+  ++samples;
+  mean.add(sample.ratio.value, sample.ratio.exponent);
+  // Squares are kept to twice the digits: the variance is a small difference of large sums.
+  const double high = sample.ratio.value * sample.ratio.value;
+  square.add(high, 2 * sample.ratio.exponent);
+  square.add(std::fma(sample.ratio.value, sample.ratio.value, -high), 2 * sample.ratio.exponent);
+}
+
+void PassSums::addCross(std::size_t k, std::size_t count, const double* f, const double* p,
+                        const double* theirs) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(f[i])) continue;
+    // Where the earlier pass would never have looked its variance is as good as infinite.
+    const double seen = std::max(theirs[i], std::numeric_limits<double>::min());
+    const Scaled value = split(f[i]), own = split(p[i]), other = split(seen);
+    cross[k].add(value.value * value.value / (own.value * other.value),
+                 2 * value.exponent - own.exponent - other.exponent);
+  }
+}
+
+void PassSums::add(const PassSums& other) {
+  samples += other.samples;
+  rejected += other.rejected;
+  mean.add(other.mean);
+  square.add(other.square);
+  addEach(cross, other.cross);
+}
+
+DensityStatistics::DensityStatistics(std::pmr::memory_resource* memory, std::size_t coefficients,
+                                     std::size_t boxTallies, std::size_t earlierPasses)
+    : sums(memory), tallies(coefficients, memory), boxes(boxTallies, memory) {
+  sums.cross.resize(earlierPasses);
+}
+
+void DensityStatistics::needRoomFor(uint64_t samples) const {
+  // Two values a sample go into one of the sums.
+  constexpr uint64_t kMost = BinnedSum::kMostValues / 2;
+  if (samples > kMost || sums.samples > kMost - samples) {
+    fail(AWD_ERROR_INVALID_OPERATION,
+         "%llu samples on top of %llu: at most %llu can be recorded in a pass; adapt first",
+         static_cast<unsigned long long>(samples), static_cast<unsigned long long>(sums.samples),
+         static_cast<unsigned long long>(kMost));
+  }
+}
+
+void DensityStatistics::add(const DensityStatistics& other) {
+  sums.add(other.sums);
+  addEach(tallies, other.tallies);
+  addEach(boxes, other.boxes);
+}
+
+bool DensityStatistics::sameSizes(const DensityStatistics& other) const {
+  return tallies.size() == other.tallies.size() && boxes.size() == other.boxes.size() &&
+         sums.cross.size() == other.sums.cross.size();
+}
+
+std::size_t DensityStatistics::bytes() const {
+  return sizeof *this + tallies.capacity() * sizeof(Tally) + boxes.capacity() * sizeof(BoxTally) +
+         sums.cross.capacity() * sizeof(BinnedSum);
+}
+
+}  // namespace awd

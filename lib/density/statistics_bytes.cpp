@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "density/statistics_bytes.h"
+
+#include <cmath>
+
+namespace awd {
+
+namespace {
+
+/// No product of a few doubles has a bin beyond these, and no sum of them a topmost bin above that.
+constexpr int32_t kFarthestBin = 1024;
+constexpr int64_t kMostInTopBin = int64_t{1} << 60;
+
+void put(ByteWriter& writer, const BinnedSum& sum) {
+  for (int i = 0; i < BinnedSum::kBins; ++i) writer.put(sum.bins()[i]);
+  writer.put(sum.top());
+}
+
+BinnedSum getSum(ByteReader& reader) {
+  int64_t bins[BinnedSum::kBins];
+  for (int64_t& bin : bins) bin = reader.get<int64_t>();
+  const auto top = reader.get<int32_t>();
+  if (bins[0] > kMostInTopBin || bins[0] < -kMostInTopBin ||
+      (top != BinnedSum::kEmpty && (top > kFarthestBin || top < -kFarthestBin))) {
+    reader.damaged();
+  }
+  return BinnedSum(bins, top);
+}
+
+}  // namespace
+
+void put(ByteWriter& writer, long double number) {
+  int exponent;
+  const long double mantissa = std::frexp(number, &exponent);
+  const auto high = static_cast<double>(mantissa);
+  writer.put(high);
+  writer.put(static_cast<double>(mantissa - high));
+  writer.put(static_cast<int32_t>(exponent));
+}
+
+long double getLong(ByteReader& reader) {
+  const double high = reader.get(-1.0, 1.0);
+  const double low = reader.get(-1.0, 1.0);
+  const auto exponent = reader.get<int32_t>(-16500, 16500);
+  return std::ldexp(static_cast<long double>(high) + low, exponent);
+}
+
+void put(ByteWriter& writer, const DensityStatistics& statistics) {
+  const PassSums& sums = statistics.sums;
+  writer.put(sums.samples);
+  writer.put(sums.rejected);
+  put(writer, sums.mean);
+  put(writer, sums.square);
+  for (const BinnedSum& cross : sums.cross) put(writer, cross);
+  for (const Tally& tally : statistics.tallies) {
+    put(writer, tally.value);
+    put(writer, tally.weight);
+    writer.put(tally.alive);
+  }
+  for (const BoxTally& box : statistics.boxes) {
+    put(writer, box.weight);
+    put(writer, box.value);
+    put(writer, box.square);
+  }
+}
+
+void get(ByteReader& reader, DensityStatistics& statistics) {
+  PassSums& sums = statistics.sums;
+  sums.samples = reader.get<uint64_t>(0, BinnedSum::kMostValues / 2);
+  sums.rejected = reader.get<uint64_t>(0, sums.samples);
+  sums.mean = getSum(reader);
+  sums.square = getSum(reader);
+  for (BinnedSum& cross : sums.cross) cross = getSum(reader);
+  for (Tally& tally : statistics.tallies) {
+    tally.value = getSum(reader);
+    tally.weight = getSum(reader);
+    tally.alive = reader.get<int64_t>(0, int64_t{1} << 61);
+  }
+  for (BoxTally& box : statistics.boxes) {
+    box.weight = getSum(reader);
+    box.value = getSum(reader);
+    box.square = getSum(reader);
+  }
+}
+
+}  // namespace awd
