@@ -39,12 +39,13 @@ static uint32_t evalOf(uint32_t k, uint32_t level, double x, uint32_t* first, do
 /* k B_i is the pdf of the (i+1)-th smallest of k uniforms. */
 static double sampleOf(uint32_t k, uint32_t level, uint32_t j, const double* u) {
   double v[3]; /* ascending */
+  const uint32_t cell = j / k;
   uint32_t i, p;
   for (i = 0; i < k; ++i) {
     for (p = i; p > 0 && v[p - 1] > u[i]; --p) v[p] = v[p - 1];
     v[p] = u[i];
   }
-  return (j / k + v[j % k]) / cells(level);
+  return (cell + v[j % k]) / cells(level);
 }
 
 /* de Casteljau at 1/2 of the coefficients that are 1 at i, else 0: on the left half

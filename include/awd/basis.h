@@ -70,8 +70,8 @@ typedef struct AWDBasisFamily {
      with the projection on level 0 the details determine f on level 1. NULL: the library takes
      an orthonormal basis of what level 1 has beyond level 0. */
   void(AWD_CALL* wavelet)(uint32_t k, double* g);
-  /* int x^i psi_k(x) dx = 0 for i < vanishingMoments; at least 1 where there are wavelets, so
-     that details carry no mass */
+  /* int x^i psi_k(x) dx = 0 for i < vanishingMoments; with `wavelet` at least 1, so that details
+     carry no mass, and at most AWD_BASIS_MAX_ORDER; without it 0 */
   uint32_t vanishingMoments;
 } AWDBasisFamily;
 

@@ -81,8 +81,9 @@ typedef struct AWDDensityDesc {
   AWDSampler sampler;
   AWDCombination combination;
   /* Coefficients below tau times the mean density are raised to it, 0 < tau <= 1. 0: with m
-     samples and n coefficients 1 / (1 + m/n), within 0.01 and 0.3, for Haar and trees, 0.01 for
-     smoother bases (estimator paper: 0.1). Negative: no floor, which risks infinite variance. */
+     samples and n coefficients 1 / (1 + m/n), within 0.01 and 0.1 (0.3 if nothing is shrunk), for
+     piecewise constants; 0.01 for smoother bases; 0.1 for the estimator paper. Negative: no floor,
+     which risks infinite variance. */
   double tau;
   /* kappa >= 0 of the cascade c_L = (n_j r_j + kappa P c_{L-1}) / (n_j + kappa), the number of
      samples that the coarser level is worth. 0: 2 for piecewise constants, 0.5 for others;
@@ -128,8 +129,9 @@ AWD_EXPORT AWDResult AWD_CALL awdGetDensityPdf(AWDDensity density, size_t count,
 
 /* Tells the values f of `count` points. pdfs: with what density each was drawn, positive: that of
    awdSampleDensity or, say, of a mixture; NULL: p itself, evaluated here. components: of the
-   sampler component, else NULL. Zeros belong in. A value that is NaN or infinite counts as a
-   rejected sample of value 0; of negative ones the density learns |f|. If an argument is wrong
+   sampler component, else NULL. Zeros belong in. A value that is NaN or infinite, or at a
+   point where p itself is 0, counts as a rejected sample of value 0; of negative ones the density
+   learns |f|. If an argument is wrong
    nothing is recorded. At most 2^30 - 1 samples a pass. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdRecordDensity(AWDDensity density, size_t count,
                                                const double* points, const double* pdfs,

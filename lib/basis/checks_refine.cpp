@@ -47,9 +47,7 @@ void checkTwoScale(const TestedLevel& level, const TableLevel& finer, Check& che
     };
     for (uint32_t i = 0; i < h.size; ++i) {
       const CellRange range = supportCells(finer, h.functions[i]);
-      for (uint32_t c = 0; c < range.size && c < kWhole; ++c) {
-        compare((range.first + c) % finer.cells);
-      }
+      for (const uint32_t c : spread(range.size, 16)) compare((range.first + c) % finer.cells);
     }
     for (const uint32_t c : spread(finer.cells, 16)) compare(c);
     const CellRange range = supportCells(level, j);

@@ -134,7 +134,8 @@ void compileSplit(const AWDBasisFamily& table, const BasisLevel& cell, BasisSpli
     }
   }
   if (table.wavelet) {
-    for (uint32_t k = 0; k < n; ++k) readWavelet(table, k, 2 * n, &to.wavelets[k * 2 * n]);
+    for (uint32_t k = 0; k < n; ++k)
+      readWavelet(table, k, 2 * n, &to.wavelets[std::size_t{k} * 2 * n]);
   } else {
     completeWavelets(cell, to);
   }

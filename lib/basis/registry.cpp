@@ -183,12 +183,12 @@ void Registry::searchFile(const std::string& file) {
 }
 
 void Registry::settle(const std::string& name) {
-  for (std::size_t i = 0; i < candidates_.size();) {
-    if (candidates_[i].name == name) {
-      settle(candidates_[i]);
-      candidates_.erase(candidates_.begin() + i);
+  for (auto at = candidates_.begin(); at != candidates_.end();) {
+    if (at->name == name) {
+      settle(*at);
+      at = candidates_.erase(at);
     } else {
-      ++i;
+      ++at;
     }
   }
 }
@@ -252,7 +252,7 @@ std::unique_ptr<Registry::Entry> Registry::judge(const AWDBasisFamily& family,
                      (taken->file.empty() ? "a family " : "") + placeOf(*taken);
     return entry;
   }
-  const std::vector<Check> checks = selfTest(known);
+  const std::vector<Check> checks = selfTest(known, false);
   if (const Check* failure = firstFailure(checks)) {
     entry->status = AWD_ERROR_PLUGIN_SELF_TEST;
     entry->message = failure->sentence();

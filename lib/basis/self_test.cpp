@@ -110,9 +110,10 @@ TestedLevel::TestedLevel(const AWDBasisFamily& family, uint32_t l)
       someCells(spread(cells, spotsOf(family, *this, whole))),
       someFunctions(spread(count, spotsOf(family, *this, whole))) {}
 
-std::vector<Check> selfTest(const AWDBasisFamily& family) {
+std::vector<Check> selfTest(const AWDBasisFamily& family, bool toTheEnd) {
   std::vector<Check> checks;
   const auto run = [&](const char* name, double limit, const auto& body) {
+    if (!toTheEnd && firstFailure(checks)) return false;
     Check& check = checks.emplace_back(name, limit);
     try {
       body(check);

@@ -12,7 +12,8 @@ namespace awd {
 
 /// All checks that could be made, in order; those that stand on a failed one are left out. The
 /// lowest levels are tested in full, those above in places. `family` has passed checkModule.
-std::vector<Check> selfTest(const AWDBasisFamily& family);
+/// Not toTheEnd: nothing after the first failure.
+std::vector<Check> selfTest(const AWDBasisFamily& family, bool toTheEnd = true);
 
 /// The first check that failed, or null.
 const Check* firstFailure(const std::vector<Check>& checks);

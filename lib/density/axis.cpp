@@ -16,58 +16,77 @@ double bernstein(const double* coefficients, uint32_t order, double t) {
   return row[0];
 }
 
-template <class Real>
-Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
-  auto rounded = static_cast<Real>(x);
-  if (rounded >= Real{1}) rounded = std::nextafter(Real{1}, Real{0});
-  while (cellOf(level, rounded) > cell) rounded = std::nextafter(rounded, Real{0});
-  while (cellOf(level, rounded) < cell) rounded = std::nextafter(rounded, Real{1});
-  return rounded;
-}
-template float clampIntoCell<float>(const BasisLevel&, uint32_t, double);
-template double clampIntoCell<double>(const BasisLevel&, uint32_t, double);
+namespace {
 
-void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) {
-  const uint32_t cell = cellOf(level, x);
-  const double t = x * level.cells - cell;
-  const uint32_t* functions = &level.functions[std::size_t{cell} * level.alive];
-  const double* pieces = &level.pieces[std::size_t{cell} * level.alive * level.order];
-  values.count = level.alive;
-  for (uint32_t a = 0; a < level.alive; ++a, pieces += level.order) {
-    values.function[a] = functions[a];
-    values.value[a] = level.order == 1 ? pieces[0] : bernstein(pieces, level.order, t);
-  }
-}
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kCubeRoot = 1e-6;  // below that of kEpsilon
 
-double invertPolynomialCdf(const double* coefficients, uint32_t order, double u) {
-  if (order == 1) return u;
-  const double b0 = coefficients[0];
-  const double b1 = coefficients[1];
-  if (order == 2) {
-    const double divisor = b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1);
-    return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
-  }
-
-  // F in Bernstein form of one degree more: F_k = (b_0 + .. + b_{k-1}) / order.
-  double integral[AWD_BASIS_MAX_ORDER + 1] = {0.0};
-  for (uint32_t k = 0; k < order; ++k) integral[k + 1] = integral[k] + coefficients[k] / order;
-  const double total = integral[order];
-  const double target = u * total;
+/// Newton's method for integral(t) = target, kept within a shrinking bracket. `total` is the
+/// integral up to 1.
+template <class Integral, class Density>
+double newton(double t, double target, double total, Integral&& integral, Density&& density) {
   double low = 0.0;
   double high = 1.0;
-  double t = u;
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   for (int i = 0; i < 100; ++i) {
-    const double miss = bernstein(integral, order + 1, t) - target;
+    const double miss = integral(t) - target;
     if (std::abs(miss) <= 4.0 * kEpsilon * total) break;
     (miss > 0.0 ? high : low) = t;
-    const double slope = bernstein(coefficients, order, t);
-    double next = t - miss / slope;
+    double next = t - miss / density(t);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - t) <= kEpsilon * t) break;
     t = next;
   }
   return t;
+}
+
+/// u (b0 + b1) / (b0 + sqrt((1-u) b0^2 + u b1^2)): no cancellation at any slope.
+double invertLinear(double b0, double b1, double u) {
+  const double divisor = b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1);
+  return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
+}
+
+/// Halley's method, from the straight line between the ends on: it takes two steps as a rule.
+double invertQuadratic(double b0, double b1, double b2, double u) {
+  const double total = (b0 + b1 + b2) * (1.0 / 3.0);
+  const double target = u * total;
+  const double c1 = b1 - b0;
+  const double c2 = (b2 - b1) - c1;
+  double low = 0.0;
+  double high = 1.0;
+  double t = b0 + b2 > 0.0 ? invertLinear(b0, b2, u) : u;
+  for (int i = 0; i < 100; ++i) {
+    const double miss = t * (b0 + t * (c1 + t * (1.0 / 3.0) * c2)) - target;
+    if (std::abs(miss) <= 4.0 * kEpsilon * total) break;
+    (miss > 0.0 ? high : low) = t;
+    const double density = b0 + t * (2.0 * c1 + t * c2);
+    const double slope = c1 + t * c2;  // half of it
+    double next = t - miss * density / (density * density - miss * slope);
+    if (!(next > low && next < high)) {
+      next = 0.5 * (low + high);
+    } else if (std::abs(miss) <= kCubeRoot * total && density >= 0.1 * total) {
+      return next;  // the error is cubed by each step, which leaves rounding only
+    }
+    if (std::abs(next - t) <= kEpsilon * t) break;
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace
+
+double invertPolynomialCdf(const double* b, uint32_t order, double u) {
+  if (order == 1) return u;
+  // A uniform of 0 stands for those up to 2^-53; at t = 0 itself the polynomial may be 0.
+  u = std::max(u, 0x1p-54);
+  if (order == 2) return invertLinear(b[0], b[1], u);
+  if (order == 3) return invertQuadratic(b[0], b[1], b[2], u);
+  // F in Bernstein form of one degree more: F_k = (b_0 + .. + b_{k-1}) / order.
+  double integral[AWD_BASIS_MAX_ORDER + 1] = {0.0};
+  for (uint32_t k = 0; k < order; ++k) integral[k + 1] = integral[k] + b[k] / order;
+  const double total = integral[order];
+  return newton(
+      u, u * total, total, [&](double t) { return bernstein(integral, order + 1, t); },
+      [&](double t) { return bernstein(b, order, t); });
 }
 
 template <class Real>

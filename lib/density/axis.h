@@ -3,6 +3,7 @@
 // function, from the compiled tables of a level. No plugin is called.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "basis/family.h"
@@ -25,12 +26,64 @@ inline uint32_t cellOf(const BasisLevel& level, double x) {
 /// Value at t in [0,1] of the polynomial with `order` Bernstein coefficients (de Casteljau).
 double bernstein(const double* coefficients, uint32_t order, double t);
 
+/// The Bernstein polynomials C(order-1, k) t^k (1-t)^(order-1-k) themselves.
+template <uint32_t order>
+inline void bernsteinPolynomials(double t, double* b) {
+  const double s = 1.0 - t;
+  b[0] = 1.0;
+  for (uint32_t degree = 1; degree < order; ++degree) {
+    double carried = 0.0;
+    for (uint32_t k = 0; k < degree; ++k) {
+      const double previous = b[k];
+      b[k] = carried + s * previous;
+      carried = t * previous;
+    }
+    b[degree] = carried;
+  }
+}
+
+template <uint32_t order>
+inline void evaluateCell(const BasisLevel& level, std::size_t first, double t,
+                         AxisValues& values) {
+  double b[order];
+  bernsteinPolynomials<order>(t, b);
+  const uint32_t* functions = &level.functions[first];
+  const double* pieces = &level.pieces[first * order];
+  values.count = level.alive;
+  for (uint32_t a = 0; a < values.count; ++a, pieces += order) {
+    values.function[a] = functions[a];
+    double value = pieces[0] * b[0];
+    for (uint32_t k = 1; k < order; ++k) value += pieces[k] * b[k];
+    values.value[a] = value;
+  }
+}
+
 /// N_j(x) for all j alive at x in [0,1].
-void evaluateAxis(const BasisLevel& level, double x, AxisValues& values);
+inline void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) {
+  const uint32_t cell = cellOf(level, x);
+  const double t = x * level.cells - cell;
+  const std::size_t first = std::size_t{cell} * level.alive;
+  switch (level.order) {
+    case 1: return evaluateCell<1>(level, first, t, values);
+    case 2: return evaluateCell<2>(level, first, t, values);
+    case 3: return evaluateCell<3>(level, first, t, values);
+    case 4: return evaluateCell<4>(level, first, t, values);
+    case 5: return evaluateCell<5>(level, first, t, values);
+    case 6: return evaluateCell<6>(level, first, t, values);
+    case 7: return evaluateCell<7>(level, first, t, values);
+    default: return evaluateCell<8>(level, first, t, values);
+  }
+}
 
 /// x as a float or double that lies in `cell`, which rounding may have made it leave, and below 1.
 template <class Real>
-Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x);
+inline Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
+  auto rounded = static_cast<Real>(x);
+  if (rounded >= Real{1}) rounded = std::nextafter(Real{1}, Real{0});
+  while (cellOf(level, rounded) > cell) rounded = std::nextafter(rounded, Real{0});
+  while (cellOf(level, rounded) < cell) rounded = std::nextafter(rounded, Real{1});
+  return rounded;
+}
 
 /// x ~ p_j = N_j / w_j from one uniform in [0,1), as a float or double that lies in the cell that
 /// was drawn (eq. 3; the piece by its mass, then the inverse CDF of the polynomial in it).

@@ -7,6 +7,7 @@
 // largest value count.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -18,6 +19,22 @@ struct Scaled {
   double value;
   int exponent;
 };
+
+/// value in [0.5, 1) in magnitude, or 0; exact.
+inline Scaled splitExponent(double number) {
+  uint64_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
+  Scaled out;
+  if (biased == 0 || biased == 0x7ff) {
+    out.value = std::frexp(number, &out.exponent);
+    return out;
+  }
+  bits = (bits & ~(uint64_t{0x7ff} << 52)) | uint64_t{1022} << 52;
+  std::memcpy(&out.value, &bits, sizeof bits);
+  out.exponent = biased - 1022;
+  return out;
+}
 
 class BinnedSum {
  public:

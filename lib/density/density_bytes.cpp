@@ -71,12 +71,12 @@ DensitySettings getSettings(ByteReader& reader, Density::FindFamily find, void* 
     const uint32_t least = tree ? 0 : family.minLevel;
     const uint32_t most = tree ? kMostHalvings : family.maxLevel;
     settings.startLevel[a] = reader.get<uint32_t>(least, most);
-    learning.minLevel[a] = reader.get<uint32_t>(least, most);
+    learning.minLevel[a] = reader.get<uint32_t>(least, settings.startLevel[a]);
     learning.maxLevel[a] = reader.get<uint32_t>(settings.startLevel[a], most);
     size *= family.count(tree ? 0 : learning.maxLevel[a]);
     if (size > learning.maxCoefficients) reader.damaged();
   }
-  if (tree && size > LeafSampler::kMostCoefficients) reader.damaged();
+  if (tree && size > kMostLeafCoefficients) reader.damaged();
   return settings;
 }
 

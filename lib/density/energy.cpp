@@ -102,7 +102,7 @@ void toOrthonormal(const DensityBases& bases, const Shape& shape, double* coeffi
 }
 
 double boxEnergy(const DensityBases& bases, const Shape& shape, const double* coefficients) {
-  double c[LeafSampler::kMostCoefficients];
+  double c[kMostLeafCoefficients];
   const std::size_t size = shape.size();
   std::copy_n(coefficients, size, c);
   toOrthonormal(bases, shape, c);

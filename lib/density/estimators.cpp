@@ -12,6 +12,8 @@ namespace {
 constexpr double kPaperTau = 0.1;
 constexpr double kLeastTau = 0.01;
 constexpr double kMostTau = 0.3;
+/// The cascade has filled the empty cells already: a higher floor costs more than it insures.
+constexpr double kMostTauOfCascade = 0.1;
 
 /// Numbers of the sums in units of the power of two above the largest.
 template <class Pick>
@@ -76,12 +78,13 @@ void project(const DensityBases& bases, const Levels& levels, const Shape& shape
   }
 }
 
-double settleTau(double asked, AWDEstimator estimator, bool smooth, double samples,
+double settleTau(double asked, AWDEstimator estimator, bool smooth, bool cascade, double samples,
                  double coefficients) {
   if (asked != 0.0) return std::max(asked, 0.0);
   if (estimator == AWD_ESTIMATOR_PAPER) return kPaperTau;
   if (smooth) return kLeastTau;
-  return std::clamp(1.0 / (1.0 + samples / coefficients), kLeastTau, kMostTau);
+  return std::clamp(1.0 / (1.0 + samples / coefficients), kLeastTau,
+                    cascade ? kMostTauOfCascade : kMostTau);
 }
 
 uint64_t clampCoefficients(double tau, double mean, Coefficients& coefficients) {

@@ -37,7 +37,7 @@ void project(const DensityBases& bases, const Levels& levels, const Shape& shape
              Coefficients& means);
 
 /// tau as it was asked for or else for m samples and n coefficients; 0: no floor.
-double settleTau(double asked, AWDEstimator estimator, bool smooth, double samples,
+double settleTau(double asked, AWDEstimator estimator, bool smooth, bool cascade, double samples,
                  double coefficients);
 
 /// Raises coefficients below tau times `mean` to it, negative ones to 0 at least. Returns how many

@@ -85,10 +85,14 @@ void GridDensity::record(std::size_t count, const double* points, const double* 
     AxisValues at[d];
     Tally* tallies = statistics.tallies.data();
     for (std::size_t i = 0; i < count; ++i, points += d) {
-      const bool usable = std::isfinite(values[i]);
-      statistics.sums.rejected += !usable;
       if (!components || !pdfs) evaluatePoint<d>(levels_, points, at);
       const double p = pdfs ? pdfs[i] : contract<d>(coefficients_.data(), strides_, at);
+      const bool usable = p > 0.0 && std::isfinite(values[i]);
+      statistics.sums.rejected += !usable;
+      if (!(p > 0.0)) {  // never drawn from this density: f/p has no value
+        ++statistics.sums.samples;
+        continue;
+      }
       const WeighedSample sample(usable ? values[i] : 0.0, p, target);
       statistics.sums.add(sample);
       if (components) {

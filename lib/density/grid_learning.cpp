@@ -25,10 +25,10 @@ bool finer(const LearningSettings& settings, uint32_t dimensions, Levels& levels
 }
 
 /// One rung down.
-bool coarser(const LearningSettings& settings, uint32_t dimensions, Levels& levels) {
+bool coarser(const DensityBases& bases, Levels& levels) {
   bool any = false;
-  for (uint32_t a = 0; a < dimensions; ++a) {
-    if (levels[a] <= settings.minLevel[a]) continue;
+  for (uint32_t a = 0; a < bases.dimensions(); ++a) {
+    if (levels[a] <= bases.family(a).minLevel()) continue;
     --levels[a];
     any = true;
   }
@@ -54,7 +54,7 @@ class Cascade {
     Levels below = levels;
     const bool bears =
         static_cast<double>(sums.shape.size()) <= static_cast<double>(bearable(1)) * samples;
-    if (!coarser(settings_, bases_.dimensions(), below)) {
+    if (!coarser(bases_, below)) {
       rungs = 1;
       return shrunk(sums, levels, nullptr);
     }
@@ -117,6 +117,9 @@ Coefficients refineTo(const DensityBases& bases, Levels from, const Levels& to,
 Levels levelsFor(const DensityBases& bases, const LearningSettings& settings, Levels levels,
                  uint64_t samples) {
   const uint64_t most = std::min(bearable(samples), settings.maxCoefficients);
+  for (uint32_t a = 0; a < bases.dimensions(); ++a) {
+    levels[a] = std::max(levels[a], settings.minLevel[a]);
+  }
   for (Levels next = levels; finer(settings, bases.dimensions(), next);) {
     if (bases.shape(next).size() > most) break;
     levels = next;
@@ -171,8 +174,9 @@ std::optional<GridState> learnGrid(const DensityBases& bases, const LearningSett
 
   const double mean = meanOf(bases, state.levels, state.coefficients);
   if (!(mean > 0.0) || !std::isfinite(mean)) return std::nullopt;
-  report.tau = settleTau(settings.tau, report.estimator, !bases.constant(), samples,
-                         static_cast<double>(state.coefficients.size()));
+  report.tau = settleTau(settings.tau, report.estimator, !bases.constant(),
+                         report.estimator == AWD_ESTIMATOR_QUASI && settings.shrinkage > 0.0,
+                         samples, static_cast<double>(state.coefficients.size()));
   report.negative = clampCoefficients(report.tau, mean, state.coefficients);
   state.coefficients = refineTo(bases, state.levels, next, state.coefficients);
   state.levels = next;

@@ -19,8 +19,50 @@ Coefficients cellMasses(std::pmr::memory_resource* memory, const BasisLevel& lev
   return masses;
 }
 
-constexpr std::size_t power(std::size_t base, uint32_t exponent) {
-  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+/// A coordinate along an axis from the blend of R rows, or of rowCount if R is 0. Rows are those of
+/// the functions alive at the coordinates before.
+template <std::size_t R>
+double draw(const BasisLevel& level, const double* prefix, const double* marginal,
+            const BlendedRow* rows, std::size_t rowCount, double uniform) {
+  const std::size_t count = R == 0 ? rowCount : R;
+  const auto massUpTo = [&](uint32_t cell) {
+    double mass = 0.0;
+    for (std::size_t r = 0; r < count; ++r) {
+      mass += rows[r].value * prefix[rows[r].index * level.cells + cell];
+    }
+    return mass;
+  };
+  const double total = massUpTo(level.cells - 1);
+  const double target = uniform * total;
+  // The first cell up to whose end there is more mass than the target, without branches.
+  uint32_t cell = 0;
+  for (uint32_t span = level.cells; span > 1;) {
+    const uint32_t half = span / 2;
+    cell += massUpTo(cell + half - 1) <= target ? half : 0;
+    span -= half;
+  }
+  double upTo = massUpTo(cell);
+  double before = cell > 0 ? massUpTo(cell - 1) : 0.0;
+  while (upTo <= before && cell > 0) {
+    // uniform * total was rounded up to total: back to a cell of any mass.
+    upTo = before;
+    before = --cell > 0 ? massUpTo(cell - 1) : 0.0;
+  }
+  double t = std::clamp((target - before) / (upTo - before), 0.0, 1.0);
+  if (level.order > 1) {
+    double b[AWD_BASIS_MAX_ORDER] = {0.0};
+    const std::size_t first = std::size_t{cell} * level.alive;
+    for (uint32_t k = 0; k < level.alive; ++k) {
+      double c = 0.0;
+      for (std::size_t r = 0; r < count; ++r) {
+        c += rows[r].value * marginal[rows[r].index * level.count + level.functions[first + k]];
+      }
+      const double* piece = &level.pieces[(first + k) * level.order];
+      for (uint32_t o = 0; o < level.order; ++o) b[o] += c * piece[o];
+    }
+    t = invertPolynomialCdf(b, level.order, t);
+  }
+  return clampIntoCell<double>(level, cell, (cell + t) / level.cells);
 }
 
 }  // namespace
@@ -64,78 +106,33 @@ InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* cons
   }
 }
 
-double InverseCdf::draw(uint32_t axis, const double* marginal, const Row* rows,
-                        std::size_t rowCount, double uniform) const {
-  const BasisLevel& level = *levels_[axis];
-  const double* prefix = prefixes_[axis].data();
-  const auto massUpTo = [&](uint32_t cell) {
-    double mass = 0.0;
-    for (std::size_t r = 0; r < rowCount; ++r) {
-      mass += rows[r].value * prefix[rows[r].index * level.cells + cell];
-    }
-    return mass;
-  };
-  const double total = massUpTo(level.cells - 1);
-  const double target = uniform * total;
-  // The first cell up to whose end there is more mass than the target.
-  uint32_t cell = 0;
-  double upTo = 0.0;
-  for (uint32_t step = level.cells; step > 0;) {
-    const uint32_t half = step / 2;
-    const double mass = massUpTo(cell + half);
-    if (mass > target) {
-      upTo = mass;
-      step = half;
-    } else {
-      cell += half + 1;
-      step -= half + 1;
-    }
-  }
-  if (cell == level.cells) {  // uniform * total was rounded up to total: the last cell of any mass
-    do --cell;
-    while (cell > 0 && massUpTo(cell - 1) >= total);
-    upTo = total;
-  }
-  const double before = cell > 0 ? massUpTo(cell - 1) : 0.0;
-  double t = std::clamp((target - before) / (upTo - before), 0.0, 1.0);
-  if (level.order > 1) {
-    double b[AWD_BASIS_MAX_ORDER] = {0.0};
-    const std::size_t first = std::size_t{cell} * level.alive;
-    for (uint32_t k = 0; k < level.alive; ++k) {
-      double c = 0.0;
-      for (std::size_t r = 0; r < rowCount; ++r) {
-        c += rows[r].value * marginal[rows[r].index * level.count + level.functions[first + k]];
-      }
-      const double* piece = &level.pieces[(first + k) * level.order];
-      for (uint32_t o = 0; o < level.order; ++o) b[o] += c * piece[o];
-    }
-    t = invertPolynomialCdf(b, level.order, t);
-  }
-  return clampIntoCell<double>(level, cell, (cell + t) / level.cells);
-}
-
 template <uint32_t D>
 void InverseCdf::sample(const Coefficients& coefficients, const double* uniforms, double* x,
                         AxisValues* at) const {
-  Row rows[2][std::min(power(AWD_BASIS_MAX_ORDER, D - 1), kMostRows)];
+  BlendedRow rows[2][mostRows(D)];
   std::size_t count = 1;
   rows[0][0] = {0, 1.0};
   for (uint32_t a = 0; a < D; ++a) {
-    const Row* present = rows[a % 2];
-    const Coefficients& marginal = a + 1 < D ? marginals_[a] : coefficients;
-    x[a] = draw(a, marginal.data(), present, count, uniforms[a]);
-    evaluateAxis(*levels_[a], x[a], at[a]);
-    if (a + 1 == D) break;
-    Row* next = rows[(a + 1) % 2];
-    std::size_t filled = 0;
-    for (std::size_t r = 0; r < count; ++r) {
-      for (uint32_t k = 0; k < at[a].count; ++k) {
-        if (at[a].value[k] <= 0.0) continue;
-        next[filled++] = {present[r].index * levels_[a]->count + at[a].function[k],
-                          present[r].value * at[a].value[k]};
-      }
+    const BasisLevel& level = *levels_[a];
+    const BlendedRow* present = rows[a % 2];
+    const double* marginal = a + 1 < D ? marginals_[a].data() : coefficients.data();
+    const double* prefix = prefixes_[a].data();
+    switch (count) {
+      case 1:
+        x[a] = draw<1>(level, prefix, marginal, present, count, uniforms[a]);
+        break;
+      case 2:
+        x[a] = draw<2>(level, prefix, marginal, present, count, uniforms[a]);
+        break;
+      case 3:
+        x[a] = draw<3>(level, prefix, marginal, present, count, uniforms[a]);
+        break;
+      default:
+        x[a] = draw<0>(level, prefix, marginal, present, count, uniforms[a]);
+        break;
     }
-    count = filled;
+    evaluateAxis(level, x[a], at[a]);
+    if (a + 1 < D) count = blend(present, count, at[a], level.count, rows[(a + 1) % 2]);
   }
 }
 

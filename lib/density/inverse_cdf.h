@@ -7,6 +7,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "density/blended_row.h"
 #include "density/point.h"
 #include "density/tensor.h"
 
@@ -14,8 +15,6 @@ namespace awd {
 
 class InverseCdf {
  public:
-  /// More rows than this would be blended for one point: such a tensor product is refused.
-  static constexpr std::size_t kMostRows = 1024;
   /// Rows that drawing the last coordinate blends: functions alive on the axes before it.
   static std::size_t rowsOf(const BasisLevel* const* levels, uint32_t dimensions);
 
@@ -31,15 +30,6 @@ class InverseCdf {
   std::size_t bytes() const;
 
  private:
-  /// A row of an axis's tables, one of those alive at the coordinates drawn before, and the value
-  /// of its function there.
-  struct Row {
-    std::size_t index;
-    double value;
-  };
-  double draw(uint32_t axis, const double* marginal, const Row* rows, std::size_t rowCount,
-              double uniform) const;
-
   const BasisLevel* levels_[kMaxDimensions] = {};
   Shape shape_;
   /// Axis a: coefficients of the marginal density of axes 0 .. a; the last axis needs none.

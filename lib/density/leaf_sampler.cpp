@@ -2,86 +2,122 @@
 #include "density/leaf_sampler.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+
+#include "density/blended_row.h"
 
 namespace awd {
 
 namespace {
 
-/// Draws from the density on [0,1] of the coefficients `marginal` of one level.
-double drawAlong(const BasisLevel& level, const double* marginal, double uniform) {
-  const auto pieceOf = [&](uint32_t cell, double* b) {
+/// Whether coefficients are Bernstein coefficients of one polynomial.
+bool isBernstein(const BasisLevel& level) {
+  if (level.cells != 1 || level.alive != level.order) return false;
+  for (uint32_t k = 0; k < level.alive; ++k) {
+    if (level.functions[k] != k) return false;
+    for (uint32_t o = 0; o < level.order; ++o) {
+      if (level.pieces[k * level.order + o] != (k == o ? 1.0 : 0.0)) return false;
+    }
+  }
+  return true;
+}
+
+/// Draws from the density on [0,1] of coefficients c, none negative, of a level of few cells.
+double drawAlong(const BasisLevel& level, const double* c, double uniform) {
+  double b[AWD_BASIS_MAX_ORDER];
+  const auto massOf = [&](uint32_t cell) {
     std::fill(b, b + level.order, 0.0);
+    double mass = 0.0;
     for (uint32_t k = 0; k < level.alive; ++k) {
       const std::size_t row = std::size_t{cell} * level.alive + k;
-      for (uint32_t o = 0; o < level.order; ++o) {
-        b[o] += marginal[level.functions[row]] * level.pieces[row * level.order + o];
-      }
+      const double* piece = &level.pieces[row * level.order];
+      for (uint32_t o = 0; o < level.order; ++o) b[o] += c[level.functions[row]] * piece[o];
     }
-    return std::accumulate(b, b + level.order, 0.0);
+    for (uint32_t o = 0; o < level.order; ++o) mass += b[o];
+    return mass;
   };
-  double b[AWD_BASIS_MAX_ORDER];
-  double total = 0.0;
-  for (uint32_t cell = 0; cell < level.cells; ++cell) total += pieceOf(cell, b);
-  const double target = uniform * total;
-  double before = 0.0;
   uint32_t cell = 0;
-  double mass = pieceOf(cell, b);
-  while (cell + 1 < level.cells && !(before + mass > target)) {
-    before += mass;
-    mass = pieceOf(++cell, b);
+  double before = 0.0;
+  double mass = massOf(0);
+  double target = uniform * mass;
+  if (level.cells > 1) {
+    double total = mass;
+    for (uint32_t i = 1; i < level.cells; ++i) total += massOf(i);
+    target = uniform * total;
+    mass = massOf(0);
+    while (cell + 1 < level.cells && !(before + mass > target)) {
+      before += mass;
+      mass = massOf(++cell);
+    }
+    // uniform * total was rounded up to total: back to a cell of any mass.
+    while (!(mass > 0.0) && cell > 0) {
+      mass = massOf(--cell);
+      before -= mass;
+    }
   }
-  const double t = std::clamp((target - before) / mass, 0.0, 1.0);
+  const double t = mass > 0.0 ? std::clamp((target - before) / mass, 0.0, 1.0) : 0.5;
   return clampIntoCell<double>(level, cell,
                                (cell + invertPolynomialCdf(b, level.order, t)) / level.cells);
 }
 
 }  // namespace
 
-LeafSampler::LeafSampler(const BasisLevel* const* levels, const Shape& shape)
-    : levels_(levels), shape_(shape) {}
+LeafSampler::LeafSampler(const BasisLevel* const* levels, const Shape& shape) : shape_(shape) {
+  std::copy(levels, levels + shape.dimensions, levels_);
+  for (uint32_t a = 0; a < shape.dimensions; ++a) bernstein_[a] = isBernstein(*levels[a]);
+  for (uint32_t a = 0; a + 1 < shape.dimensions; ++a) marginalSize_ += shape.product(0, a + 1);
+}
 
-void LeafSampler::sample(const double* coefficients, const double* uniforms, double* t) const {
-  const uint32_t d = shape_.dimensions;
-  if (shape_.size() == 1 && levels_[0]->order == 1) {
-    std::copy(uniforms, uniforms + d, t);
-    return;
-  }
-  // The density of the axes still to be drawn, given the ones that have been.
-  double given[kMostCoefficients];
-  std::size_t size = shape_.size();
-  std::copy(coefficients, coefficients + size, given);
-  for (uint32_t a = 0; a < d; ++a) {
-    const BasisLevel& level = *levels_[a];
-    const std::size_t inner = size / level.count;
-    // The marginal sums the inner axes by their weights.
-    double marginal[kMostCoefficients];
-    for (uint32_t j = 0; j < level.count; ++j) {
+void LeafSampler::marginals(const double* coefficients, double* out) const {
+  // The last axis is summed out first: its marginal is the last of `out`.
+  const double* from = coefficients;
+  double* end = out + marginalSize_;
+  for (uint32_t a = shape_.dimensions; a-- > 1;) {
+    const std::size_t rows = shape_.product(0, a);
+    const uint32_t n = shape_.count[a];
+    double* to = end - rows;
+    for (std::size_t row = 0; row < rows; ++row) {
       double sum = 0.0;
-      for (std::size_t i = 0; i < inner; ++i) {
-        double weight = 1.0;
-        std::size_t rest = i;
-        for (uint32_t b = d; b-- > a + 1; rest /= shape_.count[b]) {
-          weight *= levels_[b]->weights[rest % shape_.count[b]];
-        }
-        sum += given[j * inner + i] * weight;
-      }
-      marginal[j] = sum;
+      for (uint32_t j = 0; j < n; ++j) sum += from[row * n + j] * levels_[a]->weights[j];
+      to[row] = sum;
     }
-    t[a] = drawAlong(level, marginal, uniforms[a]);
-    AxisValues at;
-    evaluateAxis(level, t[a], at);
-    for (std::size_t i = 0; i < inner; ++i) {
-      double sum = 0.0;
-      for (uint32_t k = 0; k < at.count; ++k) {
-        sum += at.value[k] * given[at.function[k] * inner + i];
-      }
-      marginal[i] = sum;
-    }
-    std::copy(marginal, marginal + inner, given);
-    size = inner;
+    from = end = to;
   }
 }
+
+template <uint32_t D>
+void LeafSampler::sample(const double* coefficients, const double* marginals,
+                         const double* uniforms, double* t) const {
+  BlendedRow rows[2][mostRows(D)];
+  std::size_t count = 1;
+  rows[0][0] = {0, 1.0};
+  for (uint32_t a = 0; a < D; ++a) {
+    const BasisLevel& level = *levels_[a];
+    const double* from = a + 1 < D ? marginals : coefficients;
+    // The density along this axis, given the coordinates before.
+    double given[kMostLeafCoefficients];
+    for (uint32_t j = 0; j < level.count; ++j) {
+      double sum = 0.0;
+      for (std::size_t r = 0; r < count; ++r) {
+        sum += rows[a % 2][r].value * from[rows[a % 2][r].index * level.count + j];
+      }
+      given[j] = sum;
+    }
+    t[a] = bernstein_[a]
+               ? std::min(invertPolynomialCdf(given, level.order, uniforms[a]), 1.0 - 0x1p-53)
+               : drawAlong(level, given, uniforms[a]);
+    if (a + 1 == D) break;
+    AxisValues at;
+    evaluateAxis(level, t[a], at);
+    count = blend(rows[a % 2], count, at, level.count, rows[(a + 1) % 2]);
+    marginals += shape_.product(0, a + 1);
+  }
+}
+
+template void LeafSampler::sample<1>(const double*, const double*, const double*, double*) const;
+template void LeafSampler::sample<2>(const double*, const double*, const double*, double*) const;
+template void LeafSampler::sample<3>(const double*, const double*, const double*, double*) const;
+template void LeafSampler::sample<4>(const double*, const double*, const double*, double*) const;
+template void LeafSampler::sample<5>(const double*, const double*, const double*, double*) const;
+template void LeafSampler::sample<6>(const double*, const double*, const double*, double*) const;
 
 }  // namespace awd

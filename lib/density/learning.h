@@ -13,7 +13,7 @@ struct LearningSettings {
   AWDTarget target = AWD_TARGET_MEAN;
   double tau = 0.0;        ///< 0: by samples; negative: none
   double shrinkage = 0.0;  ///< kappa, 0: no cascade
-  Levels minLevel{};       ///< on a grid: of the families; in a tree: least halvings
+  Levels minLevel{};       ///< that it never goes below; in a tree: least halvings
   Levels maxLevel{};
   uint64_t maxCoefficients = 0;
 };

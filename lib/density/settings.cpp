@@ -89,8 +89,9 @@ void settleGrid(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
   Levels ceiling{}, startCeiling{};
   for (uint32_t a = 0; a < d; ++a) {
     const AxisLevels levels = axisLevels(desc, a, false, *families[a]);
-    learning.minLevel[a] = families[a]->minLevel;
     settings.startLevel[a] = levels.start;
+    const bool fixed = levels.hasStart && levels.start == levels.maximum;
+    learning.minLevel[a] = fixed ? levels.start : levels.least;
     ceiling[a] = levels.maximum;
     startCeiling[a] = levels.hasStart ? levels.start : levels.maximum;
   }
@@ -125,11 +126,11 @@ void settleTree(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
     }
     leaf *= families[a]->count(0);
   }
-  if (leaf > std::min<uint64_t>(LeafSampler::kMostCoefficients, learning.maxCoefficients)) {
+  if (leaf > std::min<uint64_t>(kMostLeafCoefficients, learning.maxCoefficients)) {
     fail(AWD_ERROR_UNSUPPORTED, "a leaf would have %llu coefficients: at most %llu are allowed",
          static_cast<unsigned long long>(leaf),
          static_cast<unsigned long long>(
-             std::min<uint64_t>(LeafSampler::kMostCoefficients, learning.maxCoefficients)));
+             std::min<uint64_t>(kMostLeafCoefficients, learning.maxCoefficients)));
   }
   bool automatic[kMaxDimensions] = {};
   uint64_t leaves = 1;
@@ -225,12 +226,11 @@ Ref<DensityBases> compileBases(std::pmr::memory_resource* memory, const DensityS
   const BasisLevel* tables[kMaxDimensions];
   bases->tables(tree ? Levels{} : settings.learning.maxLevel, tables);
   if (!tree && settings.sampler == AWD_SAMPLER_INVERSE_CDF &&
-      InverseCdf::rowsOf(tables, settings.dimensions) > InverseCdf::kMostRows) {
+      InverseCdf::rowsOf(tables, settings.dimensions) > kMostRows) {
     fail(AWD_ERROR_UNSUPPORTED,
          "bases of such high order in %u dimensions: %zu rows of coefficients would be blended for "
          "one point, at most %zu are; take the sampler component",
-         settings.dimensions, InverseCdf::rowsOf(tables, settings.dimensions),
-         InverseCdf::kMostRows);
+         settings.dimensions, InverseCdf::rowsOf(tables, settings.dimensions), kMostRows);
   }
   return bases;
 }

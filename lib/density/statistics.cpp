@@ -11,25 +11,12 @@ namespace awd {
 
 namespace {
 
-Scaled split(double value) {
-  Scaled out;
-  out.value = std::frexp(value, &out.exponent);
-  return out;
-}
-
 template <class Sum>
 void addEach(std::pmr::vector<Sum>& to, const std::pmr::vector<Sum>& from) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
 }
 
 }  // namespace
-
-WeighedSample::WeighedSample(double f, double p, AWDTarget aim) : target(split(std::abs(f))) {
-  const Scaled density = split(p);
-  inverse = {1.0 / density.value, -density.exponent};
-  ratio = {std::copysign(target.value, f) * inverse.value, target.exponent + inverse.exponent};
-  if (aim == AWD_TARGET_RMS) target = {target.value * target.value, 2 * target.exponent};
-}
 
 void BoxTally::add(const WeighedSample& sample) {
   weight.add(sample.inverse.value, sample.inverse.exponent);
@@ -45,22 +32,14 @@ void BoxTally::add(const BoxTally& other) {
   square.add(other.square);
 }
 
-void PassSums::add(const WeighedSample& sample) {
-  ++samples;
-  mean.add(sample.ratio.value, sample.ratio.exponent);
-  // Squares are kept to twice the digits: the variance is a small difference of large sums.
-  const double high = sample.ratio.value * sample.ratio.value;
-  square.add(high, 2 * sample.ratio.exponent);
-  square.add(std::fma(sample.ratio.value, sample.ratio.value, -high), 2 * sample.ratio.exponent);
-}
-
 void PassSums::addCross(std::size_t k, std::size_t count, const double* f, const double* p,
                         const double* theirs) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(f[i])) continue;
+    if (!std::isfinite(f[i]) || !(p[i] > 0.0)) continue;
     // Where the earlier pass would never have looked its variance is as good as infinite.
     const double seen = std::max(theirs[i], std::numeric_limits<double>::min());
-    const Scaled value = split(f[i]), own = split(p[i]), other = split(seen);
+    const Scaled value = splitExponent(f[i]), own = splitExponent(p[i]),
+                 other = splitExponent(seen);
     cross[k].add(value.value * value.value / (own.value * other.value),
                  2 * value.exponent - own.exponent - other.exponent);
   }

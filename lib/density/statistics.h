@@ -3,6 +3,7 @@
 // and however they are split among threads and machines.
 #pragma once
 
+#include <cmath>
 #include <memory_resource>
 #include <vector>
 
@@ -19,7 +20,12 @@ struct WeighedSample {
   Scaled ratio;    ///< f/p, with its sign
 
   /// f is finite, p positive and finite.
-  WeighedSample(double f, double p, AWDTarget aim);
+  WeighedSample(double f, double p, AWDTarget aim) : target(splitExponent(std::abs(f))) {
+    const Scaled density = splitExponent(p);
+    inverse = {1.0 / density.value, -density.exponent};
+    ratio = {std::copysign(target.value, f) * inverse.value, target.exponent + inverse.exponent};
+    if (aim == AWD_TARGET_RMS) target = {target.value * target.value, 2 * target.exponent};
+  }
 };
 
 /// What a tree asks of a box to decide whether and where to halve it: sums over its lower half
@@ -43,7 +49,14 @@ struct PassSums {
   BinnedSum square;                   ///< (f/p)^2
   std::pmr::vector<BinnedSum> cross;  ///< f^2 / (p_k p) for each earlier pass k that is kept
 
-  void add(const WeighedSample& sample);
+  void add(const WeighedSample& sample) {
+    ++samples;
+    mean.add(sample.ratio.value, sample.ratio.exponent);
+    // Squares are kept to twice the digits: the variance is a small difference of large sums.
+    const double high = sample.ratio.value * sample.ratio.value;
+    square.add(high, 2 * sample.ratio.exponent);
+    square.add(std::fma(sample.ratio.value, sample.ratio.value, -high), 2 * sample.ratio.exponent);
+  }
   /// Samples of values f drawn from p, of which the earlier pass k would have drawn with `theirs`.
   void addCross(std::size_t k, std::size_t count, const double* f, const double* p,
                 const double* theirs);

@@ -98,10 +98,12 @@ void overWeights(const BasisLevel* const* levels, const Shape& shape, Coefficien
 }
 
 double integral(const BasisLevel* const* levels, const Shape& shape, const double* coefficients) {
-  double sum = 0.0;
-  forEachWeight(levels, shape,
-                [&](std::size_t i, double weight) { sum += coefficients[i] * weight; });
-  return sum;
+  // Wider than the terms: a sum of a million of them is to be right to their last bits.
+  long double sum = 0.0L;
+  forEachWeight(levels, shape, [&](std::size_t i, double weight) {
+    sum += static_cast<long double>(coefficients[i]) * weight;
+  });
+  return static_cast<double>(sum);
 }
 
 double boxIntegral(std::pmr::memory_resource* memory, const BasisLevel* const* levels,
@@ -114,9 +116,11 @@ double boxIntegral(std::pmr::memory_resource* memory, const BasisLevel* const* l
     const Coefficients above = antiderivatives(memory, *levels[a], upper[a]);
     const std::size_t n = shape.count[a];
     for (std::size_t row = 0; row < rest.size() / n; ++row) {
-      double sum = 0.0;
-      for (std::size_t j = 0; j < n; ++j) sum += rest[row * n + j] * (above[j] - below[j]);
-      rest[row] = sum;
+      long double sum = 0.0L;
+      for (std::size_t j = 0; j < n; ++j) {
+        sum += static_cast<long double>(rest[row * n + j]) * (above[j] - below[j]);
+      }
+      rest[row] = static_cast<double>(sum);
     }
     rest.resize(rest.size() / n);
   }

@@ -53,10 +53,10 @@ class Tree {
   void walk(Visit&& visit) const {
     walkFrom(0, TreeBox{}, visit);
   }
-  /// The node whose leaf holds x, and where in it: x becomes the place within the leaf's box, in
-  /// [0,1]^d. Every step is exact.
-  const TreeNode& descend(double* x) const {
-    const TreeNode* node = nodes_.data();
+  /// The leaf below a node that holds x, a place within that node's box in [0,1]^d; x becomes the
+  /// place within the leaf's box. Every step is exact.
+  const TreeNode& descend(double* x, uint32_t from = 0) const {
+    const TreeNode* node = &nodes_[from];
     while (!node->leaf()) {
       double& t = x[node->axis];
       t *= 2.0;

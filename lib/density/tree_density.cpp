@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "density/leaf_sampler.h"
 #include "density/point.h"
 
 namespace awd {
@@ -21,8 +20,11 @@ TreeDensity::TreeDensity(std::pmr::memory_resource* memory, const BasisLevel* co
     : shape_(shapeOf(levels, tree.dimensions())),
       leafSize_(shape_.size()),
       tree_(std::move(tree)),
+      index_(tree_),
       coefficients_(std::move(coefficients)),
-      left_(tree_.nodes().size(), 0.0, memory) {
+      leafSampler_(levels, shape_),
+      marginals_(memory),
+      halves_(tree_.nodes().size(), Halves{}, memory) {
   std::copy(levels, levels + shape_.dimensions, levels_);
   for (uint32_t a = 0; a < shape_.dimensions; ++a) strides_[a] = shape_.stride(a);
   if (scale == Scale::toIntegral) {
@@ -36,9 +38,16 @@ TreeDensity::TreeDensity(std::pmr::memory_resource* memory, const BasisLevel* co
     for (double& c : coefficients_) c /= masses[0];
     weigh(masses);
   }
+  marginals_.resize(tree_.leaves() * leafSampler_.marginalSize());
+  for (std::size_t leaf = 0; leaf < tree_.leaves(); ++leaf) {
+    leafSampler_.marginals(&coefficients_[leaf * leafSize_],
+                           marginals_.data() + leaf * leafSampler_.marginalSize());
+  }
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const TreeNode& node = tree_.nodes()[i];
-    if (!node.leaf() && masses[i] > 0.0) left_[i] = masses[node.child] / masses[i];
+    if (node.leaf() || !(masses[i] > 0.0)) continue;
+    const double left = masses[node.child] / masses[i];
+    halves_[i] = {left, left > 0.0 ? 1.0 / left : 0.0, left < 1.0 ? 1.0 / (1.0 - left) : 0.0};
   }
 }
 
@@ -54,10 +63,18 @@ void TreeDensity::weigh(Coefficients& masses) const {
     masses[i] = box.volume(shape_.dimensions) *
                 integral(levels_, shape_, &coefficients_[node.child * leafSize_]);
   });
+  // Pair by pair, which loses no digits.
   for (std::size_t i = masses.size(); i-- > 0;) {
     const TreeNode& node = tree_.nodes()[i];
     if (!node.leaf()) masses[i] = masses[node.child] + masses[node.child + 1];
   }
+}
+
+template <uint32_t D>
+double TreeDensity::value(const double* c, const double* t, AxisValues* at) const {
+  if (leafSize_ == 1) return *c;
+  evaluatePoint<D>(levels_, t, at);
+  return contract<D>(c, strides_, at);
 }
 
 void TreeDensity::pdf(std::size_t count, const double* points, double* pdfs) const {
@@ -67,48 +84,52 @@ void TreeDensity::pdf(std::size_t count, const double* points, double* pdfs) con
     double t[d];
     for (std::size_t i = 0; i < count; ++i, points += d) {
       std::copy(points, points + d, t);
-      const double* c = &coefficients_[tree_.descend(t).child * leafSize_];
-      if (leafSize_ == 1) {
-        pdfs[i] = *c;
-      } else {
-        evaluatePoint<d>(levels_, t, at);
-        pdfs[i] = contract<d>(c, strides_, at);
-      }
+      pdfs[i] = value<d>(&coefficients_[index_.descend<d>(tree_, t).child * leafSize_], t, at);
     }
   });
 }
 
 void TreeDensity::sample(std::size_t count, const double* uniforms, double* points, double* pdfs,
                          uint32_t* components) const {
-  const uint32_t d = shape_.dimensions;
-  const double kBelowOne = std::nextafter(1.0, 0.0);
-  const LeafSampler leafSampler(levels_, shape_);
-  for (std::size_t i = 0; i < count; ++i, uniforms += d, points += d) {
-    double u[kMaxDimensions];
-    std::copy(uniforms, uniforms + d, u);
-    TreeBox box;
-    uint32_t at = 0;
-    while (!tree_.nodes()[at].leaf()) {
-      const TreeNode& node = tree_.nodes()[at];
-      double& along = u[node.axis];
-      const double left = left_[at];
-      const uint32_t upper = along < left ? 0 : 1;
-      along = upper ? (along - left) / (1.0 - left) : along / left;
-      along = std::min(along, kBelowOne);
-      at = node.child + upper;
-      box = box.half(node.axis, upper);
+  withDimensions(shape_.dimensions, [&](auto dimensions) {
+    constexpr uint32_t d = dimensions;
+    const double belowOne = std::nextafter(1.0, 0.0);
+    AxisValues at[d];
+    for (std::size_t i = 0; i < count; ++i, uniforms += d, points += d) {
+      double u[d], t[d], lower[d] = {}, size[d];
+      std::copy(uniforms, uniforms + d, u);
+      std::fill(size, size + d, 1.0);
+      const TreeNode* nodes = tree_.nodes().data();
+      uint32_t node = 0;
+      while (!nodes[node].leaf()) {
+        const uint32_t axis = nodes[node].axis;
+        const Halves& halves = halves_[node];
+        const bool upper = u[axis] >= halves.left;
+        size[axis] *= 0.5;
+        lower[axis] += upper ? size[axis] : 0.0;
+        u[axis] =
+            (u[axis] - (upper ? halves.left : 0.0)) * (upper ? halves.overRight : halves.overLeft);
+        u[axis] = std::min(u[axis], belowOne);
+        node = nodes[node].child + upper;
+      }
+      const std::size_t leaf = nodes[node].child;
+      const double* c = &coefficients_[leaf * leafSize_];
+      const double* drawn = u;
+      if (leafSize_ > 1) {
+        leafSampler_.sample<d>(c, marginals_.data() + leaf * leafSampler_.marginalSize(), u, t);
+        drawn = t;
+      }
+      for (uint32_t a = 0; a < d; ++a) {
+        // Rounding must not carry the point into the next box.
+        points[a] = lower[a] + drawn[a] * size[a];
+        if (points[a] >= lower[a] + size[a]) points[a] = std::nextafter(lower[a] + size[a], 0.0);
+        // As exact as the steps down the tree: the same bits as in pdf().
+        t[a] = (points[a] - lower[a]) / size[a];
+      }
+      if (components) components[i] = AWD_INVALID_ID;
+      if (pdfs) pdfs[i] = value<d>(c, t, at);
     }
-    const double* c = &coefficients_[tree_.nodes()[at].child * leafSize_];
-    double t[kMaxDimensions];
-    leafSampler.sample(c, u, t);
-    for (uint32_t a = 0; a < d; ++a) {
-      const double size = box.size(a);
-      // Rounding must not carry the point into the next box.
-      points[a] = std::min(box.lower[a] + t[a] * size, std::nextafter(box.lower[a] + size, 0.0));
-    }
-    if (components) components[i] = AWD_INVALID_ID;
-  }
-  if (pdfs) pdf(count, points - count * d, pdfs);
+  });
 }
 
 void TreeDensity::record(std::size_t count, const double* points, const double* pdfs,
@@ -119,12 +140,16 @@ void TreeDensity::record(std::size_t count, const double* points, const double* 
     AxisValues at[d];
     double t[d];
     for (std::size_t i = 0; i < count; ++i, points += d) {
-      const bool usable = std::isfinite(values[i]);
-      statistics.sums.rejected += !usable;
       std::copy(points, points + d, t);
-      const std::size_t leaf = tree_.descend(t).child;
+      const std::size_t leaf = index_.descend<d>(tree_, t).child;
       evaluatePoint<d>(levels_, t, at);
       const double p = pdfs ? pdfs[i] : contract<d>(&coefficients_[leaf * leafSize_], strides_, at);
+      const bool usable = p > 0.0 && std::isfinite(values[i]);
+      statistics.sums.rejected += !usable;
+      if (!(p > 0.0)) {  // never drawn from this density: f/p has no value
+        ++statistics.sums.samples;
+        continue;
+      }
       const WeighedSample sample(usable ? values[i] : 0.0, p, target);
       statistics.sums.add(sample);
       BoxTally* boxes = &statistics.boxes[leaf * (d + 1)];
@@ -147,7 +172,7 @@ void TreeDensity::record(std::size_t count, const double* points, const double* 
 double TreeDensity::mass(const double* lower, const double* upper) const {
   std::pmr::memory_resource* memory = coefficients_.get_allocator().resource();
   const uint32_t d = shape_.dimensions;
-  double sum = 0.0;
+  long double sum = 0.0L;
   tree_.walk([&](uint32_t i, const TreeBox& box) {
     const TreeNode& node = tree_.nodes()[i];
     if (!node.leaf()) return;
@@ -160,12 +185,13 @@ double TreeDensity::mass(const double* lower, const double* upper) const {
     sum += box.volume(d) *
            boxIntegral(memory, levels_, shape_, &coefficients_[node.child * leafSize_], from, to);
   });
-  return sum;
+  return static_cast<double>(sum);
 }
 
 std::size_t TreeDensity::bytes() const {
-  return sizeof *this + tree_.bytes() +
-         (coefficients_.capacity() + left_.capacity()) * sizeof(double);
+  return sizeof *this + tree_.bytes() + index_.bytes() +
+         (coefficients_.capacity() + marginals_.capacity()) * sizeof(double) +
+         halves_.capacity() * sizeof(Halves);
 }
 
 }  // namespace awd

@@ -5,9 +5,11 @@
 
 #include <memory_resource>
 
+#include "density/leaf_sampler.h"
 #include "density/statistics.h"
 #include "density/tensor.h"
 #include "density/tree.h"
+#include "density/tree_index.h"
 #include "util/context.h"
 
 namespace awd {
@@ -43,6 +45,9 @@ class TreeDensity final : public RefCounted {
 
  private:
   void destroy() noexcept override;
+  /// p at a place t of a leaf of coefficients c.
+  template <uint32_t D>
+  double value(const double* c, const double* t, AxisValues* at) const;
   /// Masses of the nodes' lower halves, and the integral of all; `masses` gets one per node.
   void weigh(Coefficients& masses) const;
 
@@ -51,8 +56,16 @@ class TreeDensity final : public RefCounted {
   std::size_t strides_[kMaxDimensions] = {};
   std::size_t leafSize_;  ///< coefficients of a leaf
   Tree tree_;
+  TreeIndex index_;
   Coefficients coefficients_;
-  Coefficients left_;  ///< per node: the share of its mass in the lower half
+  LeafSampler leafSampler_;
+  Coefficients marginals_;  ///< of the leaves, as the sampler wants them
+  /// How uniforms along the axis of a split go on: below `left`, the lower half's share of the
+  /// mass, times 1/left; else what is beyond times 1/(1 - left).
+  struct Halves {
+    double left = 0.0, overLeft = 0.0, overRight = 0.0;
+  };
+  std::pmr::vector<Halves> halves_;  ///< one a node
 };
 
 }  // namespace awd

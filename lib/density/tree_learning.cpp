@@ -14,6 +14,8 @@ namespace awd {
 
 namespace {
 
+/// No more boxes than give each coefficient that many samples of the next pass.
+constexpr uint64_t kSamplesPerCoefficient = 2;
 /// Boxes are halved until what is left to gain is this share of the integral.
 constexpr double kGainWorthAnything = 1e-3;
 
@@ -69,6 +71,8 @@ class TreeLearner {
   /// Coefficients of the halves of a box, appended to the pool.
   std::pair<std::size_t, std::size_t> split(std::size_t coefficients, uint32_t axis);
   void dropNoise(double least);
+  /// Whether halving a node has not brought the density closer to what it could be.
+  bool gainedNothing(double whole, double halves) const { return halves >= 0.9 * whole; }
   bool isNoise(uint32_t node, const TreeBox& box) const;
   double potential(uint32_t node, double volume) const;
   /// Copies the old tree down to its merged nodes, with shrunk estimates.
@@ -104,7 +108,8 @@ void TreeLearner::estimate(uint32_t node, double volume, double* out) const {
         divisor *= levels[a]->weights[j / shape_.stride(a) % shape_.count[a]];
       }
     }
-    out[j] = divisor > 0.0 ? sums_.values(node)[j] / divisor : 0.0;
+    // Where no sample fell the box's mean is the best that is known.
+    out[j] = divisor > 0.0 ? sums_.values(node)[j] / divisor : sums_.whole(node).mean();
     if (settings_.target == AWD_TARGET_RMS) out[j] = std::sqrt(out[j]);
   }
 }
@@ -154,15 +159,19 @@ bool TreeLearner::isNoise(uint32_t node, const TreeBox& box) const {
   std::size_t fibres = 0;
   shape_.forEachFibre(parent.axis, [&](std::size_t outer, std::size_t inner) {
     const std::size_t fibre = outer * shape_.count[parent.axis] * stride + inner;
-    energy += filter.mergeError(c[0] + fibre, c[1] + fibre, stride);
+    filter.analyse(c[0] + fibre, c[1] + fibre, stride, c[0] + fibre, c[1] + fibre);
+    energy += filter.detailEnergy(c[1] + fibre, stride);
     ++fibres;
   });
-  return energy <= noise * static_cast<double>(fibres);
+  // What rounding alone makes of a constant is noise too.
+  const double rounding = 1e-24 * sums_.whole(node).meanSquare();
+  return energy <= (noise + rounding) * static_cast<double>(fibres);
 }
 
 void TreeLearner::dropNoise(double least) {
   // Bottom up, a node whose halves are leaves becomes one if the details between them are no more
-  // than noise, and if halving it would not be tried again at once.
+  // than noise, and if either there is next to nothing to gain in it, or halving it gained nothing:
+  // then what is left is noise of f itself, which no box explains.
   std::pmr::vector<double> potentials(nodes_.size(), 0.0, memory_);
   std::pmr::vector<TreeBox> boxes(nodes_.size(), memory_);
   old_.tree().walk([&](uint32_t node, const TreeBox& box) {
@@ -173,7 +182,9 @@ void TreeLearner::dropNoise(double least) {
   for (auto node = static_cast<uint32_t>(nodes_.size()); node-- > 0;) {
     if (nodes_[node].leaf()) continue;
     const uint32_t child = nodes_[node].child;
-    if (!leaf(child) || !leaf(child + 1) || potentials[node] > least) continue;
+    if (!leaf(child) || !leaf(child + 1)) continue;
+    const bool useless = gainedNothing(potentials[node], potentials[child] + potentials[child + 1]);
+    if (potentials[node] > least && !useless) continue;
     const uint32_t axis = nodes_[node].axis;
     if (boxes[node].depth[axis] < settings_.minLevel[axis]) continue;
     if (isNoise(node, boxes[node])) merged_[node] = true;
@@ -278,8 +289,8 @@ std::optional<TreeState> TreeLearner::run(uint64_t nextSamples, LearningReport& 
   report.estimatedLevels = 1;
 
   const double worthwhile = kGainWorthAnything * all.mean();
-  const uint64_t budget =
-      std::max<uint64_t>(std::min(bearable(nextSamples), settings_.maxCoefficients) / size_, 1);
+  const uint64_t budget = std::max<uint64_t>(
+      std::min(nextSamples / kSamplesPerCoefficient, settings_.maxCoefficients) / size_, 1);
   dropNoise(worthwhile / static_cast<double>(old_.tree().leaves()));
 
   pool_.assign(size_, mean);
@@ -324,8 +335,9 @@ std::optional<TreeState> TreeLearner::run(uint64_t nextSamples, LearningReport& 
     whole += box.volume(shape_.dimensions) * integral(old_.levels(), shape_, scratch_.data());
   });
   if (!(whole > 0.0) || !std::isfinite(whole)) return std::nullopt;
-  report.tau = settleTau(settings_.tau, report.estimator, false, samples_,
-                         static_cast<double>(state.coefficients.size()));
+  report.tau = settleTau(settings_.tau, report.estimator, !bases_.constant(),
+                         report.estimator == AWD_ESTIMATOR_QUASI && settings_.shrinkage > 0.0,
+                         samples_, static_cast<double>(state.coefficients.size()));
   report.negative = clampCoefficients(report.tau, whole, state.coefficients);
   return state;
 }

@@ -22,7 +22,7 @@ class SmallMatrix {
 
  private:
   uint32_t rows_, columns_;
-  std::array<long double, kMost * kMost> values_{};
+  std::array<long double, std::size_t{kMost} * kMost> values_{};
 };
 
 SmallMatrix operator*(const SmallMatrix& a, const SmallMatrix& b);

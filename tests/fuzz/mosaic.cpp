@@ -7,19 +7,14 @@ namespace fuzz {
 
 namespace {
 
-double binomial(uint32_t n, uint32_t k) {
-  double result = 1.0;
-  for (uint32_t i = 0; i < k; ++i) result = result * (n - i) / (i + 1);
-  return result;
-}
-
-/// Value of a polynomial of `order` Bernstein coefficients.
+/// Value of a polynomial of `order` Bernstein coefficients, by de Casteljau.
 double bernstein(const double* b, uint32_t order, double t) {
-  double sum = 0.0;
-  for (uint32_t k = 0; k < order; ++k) {
-    sum += b[k] * binomial(order - 1, k) * std::pow(t, k) * std::pow(1.0 - t, order - 1 - k);
+  double p[AWD_BASIS_MAX_ORDER + 1];
+  std::copy(b, b + order, p);
+  for (uint32_t left = order - 1; left > 0; --left) {
+    for (uint32_t k = 0; k < left; ++k) p[k] = (1.0 - t) * p[k] + t * p[k + 1];
   }
-  return sum;
+  return p[0];
 }
 
 }  // namespace
@@ -55,7 +50,7 @@ double Mosaic::value(uint32_t cell, uint32_t row, double t) const {
 }
 
 double Mosaic::mass(uint32_t cell, uint32_t row, double t) const {
-  double sums[9] = {0.0};
+  double sums[AWD_BASIS_MAX_ORDER + 1] = {0.0};
   const double* from = &b[(std::size_t{cell} * alive + row) * order];
   for (uint32_t k = 0; k < order; ++k) sums[k + 1] = sums[k] + from[k] / order;
   return bernstein(sums, order + 1, t);

@@ -35,11 +35,23 @@ uint32_t boxTwoScale(uint32_t, uint32_t j, uint32_t* first, double* h) {
   h[0] = h[1] = 1.0;
   return 2;
 }
-const AWDBasisFamily kBox = {
-    sizeof kBox, "test.box", "boxes",    AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED,
-    1,           1,          0,          6,
-    boxCount,    boxCount,   boxSupport, boxWeight,
-    boxEval,     boxSample,  boxTwoScale};
+const AWDBasisFamily kBox = {sizeof kBox,
+                             "test.box",
+                             "boxes",
+                             AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED,
+                             1,
+                             1,
+                             0,
+                             6,
+                             boxCount,
+                             boxCount,
+                             boxSupport,
+                             boxWeight,
+                             boxEval,
+                             boxSample,
+                             boxTwoScale,
+                             nullptr,
+                             0};
 const AWDBasisFamily* const kFamilies[] = {&kBox};
 const AWDBasisModule kModule = {sizeof kModule, AWD_BASIS_ABI, 1, "1.0", "Apache-2.0", kFamilies};
 

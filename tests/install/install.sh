@@ -8,7 +8,7 @@ set -euo pipefail
 cmake=$1 readelf=$2 build=$3 source=$4 work=$5 lib=$6 version=$7 command=$8
 export LC_ALL=C
 unset AWD_BASIS_PATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH
-prefix=$work/moved
+prefix=$work/moved flags="-Wall -Wextra -Wpedantic -Werror"
 
 die() {
   echo "FAILED: $*"
@@ -24,7 +24,8 @@ silent() {
 # project NAME SOURCE OPTION...: configures and builds, knowing the moved prefix alone.
 project() {
   quietly "$cmake" -G Ninja -S "$2" -B "$work/$1" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_C_FLAGS="-Wall -Wextra -Wpedantic -Werror" "${@:3}"
+    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" \
+    "${@:3}"
   quietly "$cmake" --build "$work/$1"
 }
 
@@ -57,9 +58,11 @@ done < <(find "$prefix" -type f \( -name '*.so*' -o -path '*/bin/*' \))
 project cubic "$source/examples/cubic-bspline"
 module=$work/cubic/cubic-bspline.so
 [[ -f $module ]] || die "no module"
-exported=$("$readelf" -W --dyn-syms "$module" | awk '$7 != "UND" && $5 == "GLOBAL" { print $8 }')
-[[ $exported == awdBasisModule_v1 ]] || die "the module exports: $exported"
 project host "$source/tests/install/consumer" -DAWD_WANTED="$version"
+for file in "$module" "$work/host/boxes.so"; do
+  exported=$("$readelf" -W --dyn-syms "$file" | awk '$7 ~ /^[0-9]+$/ && $5 != "LOCAL" { print $8 }')
+  [[ $exported == awdBasisModule_v1 ]] || die "$file exports: $exported"
+done
 silent env AWD_BASIS_PATH="$work/cubic" "$work/host/host" "$module"
 
 # A host that wants another major version is told so.
@@ -70,6 +73,7 @@ fi
 grep -q "version \"99\"" "$work/log" || die "no word about the version"
 
 if [[ $command == ON ]]; then
+  quietly "$prefix/bin/awd" check-basis "$work/host/boxes.so"
   quietly "$prefix/bin/awd" check-basis "$module"
   [[ $(grep -c ' ok$' "$work/log") -ge 24 ]] || die "too few checks"
   quietly env AWD_BASIS_PATH="$work/cubic" "$prefix/bin/awd" bases

@@ -4,10 +4,12 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
+#include "honest.h"
 #include "util/error.h"
 
 namespace {
@@ -54,6 +56,30 @@ TEST(Module, SaysWhyItCannotBeUsed) {
   EXPECT_EQ(codeOf("libm.so.6", &text), AWD_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(codeOf("/no/such/file.so", &text), AWD_ERROR_PLUGIN_LOAD);
   EXPECT_EQ(text, "can't be opened: cannot open shared object file: No such file or directory");
+}
+
+TEST(Module, TablesOfOtherLengthsAreReadAsFarAsTheyGo) {
+  AWDBasisFamily family = *honestModule()->families[0];
+  family.vanishingMoments = 3;
+  EXPECT_EQ(knownPart(family).vanishingMoments, 3u);
+  family.structSize = offsetof(AWDBasisFamily, vanishingMoments);
+  const AWDBasisFamily known = knownPart(family);
+  EXPECT_EQ(known.structSize, sizeof known);
+  EXPECT_EQ(known.twoScale, family.twoScale);
+  EXPECT_EQ(known.vanishingMoments, 0u);
+  struct Longer {
+    AWDBasisFamily family;
+    double newer;
+  } longer = {*honestModule()->families[0], 0.0};
+  longer.family.structSize = sizeof longer;
+  EXPECT_EQ(knownPart(longer.family).structSize, sizeof(AWDBasisFamily));
+}
+
+TEST(Module, TextsOfPluginsAreShownOnOneLine) {
+  EXPECT_EQ(printable(nullptr, 8), "");
+  EXPECT_EQ(printable("a\nb\x7f", 8), "a?b?");
+  EXPECT_EQ(printable("caf\xc3\xa9", 8), "caf\xc3\xa9");
+  EXPECT_EQ(printable("abcdef", 4), "abcd");
 }
 
 TEST(Module, SharesNoNames) {
