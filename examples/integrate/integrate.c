@@ -335,7 +335,7 @@ IntegrateStatus integrate(AWDDevice device, Integrand f, void* user, uint32_t di
   run->user = user;
   run->dimensions = dimensions;
   run->options = options ? *options : defaults;
-  run->random.state = run->options.seed;
+  seedRandom(&run->random, run->options.seed);
   run->result = result;
   if (checkArguments(run, lower, upper)) {
     if (check(run, makeWarp(&run->warp, device, dimensions)) && allocate(run)) play(run);

@@ -250,9 +250,10 @@ AWDResult AWD_CALL awdGetDensityLeaves(AWDDensity density, double* boxes, size_t
     if (capacity > 0) need(boxes, "boxes");
     const auto write = [&](size_t leaf, const TreeBox& box) {
       if (leaf >= capacity) return;
+      double* lower = boxes + 2 * leaf * d;
       for (uint32_t a = 0; a < d; ++a) {
-        boxes[2 * d * leaf + a] = box.lower[a];
-        boxes[2 * d * leaf + d + a] = box.lower[a] + box.size(a);
+        lower[a] = box.lower[a];
+        lower[d + a] = box.lower[a] + box.size(a);
       }
     };
     if (model.grid) {

@@ -43,8 +43,7 @@ inline void bernsteinPolynomials(double t, double* b) {
 }
 
 template <uint32_t order>
-inline void evaluateCell(const BasisLevel& level, std::size_t first, double t,
-                         AxisValues& values) {
+inline void evaluateCell(const BasisLevel& level, std::size_t first, double t, AxisValues& values) {
   double b[order];
   bernsteinPolynomials<order>(t, b);
   const uint32_t* functions = &level.functions[first];
@@ -64,14 +63,22 @@ inline void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) 
   const double t = x * level.cells - cell;
   const std::size_t first = std::size_t{cell} * level.alive;
   switch (level.order) {
-    case 1: return evaluateCell<1>(level, first, t, values);
-    case 2: return evaluateCell<2>(level, first, t, values);
-    case 3: return evaluateCell<3>(level, first, t, values);
-    case 4: return evaluateCell<4>(level, first, t, values);
-    case 5: return evaluateCell<5>(level, first, t, values);
-    case 6: return evaluateCell<6>(level, first, t, values);
-    case 7: return evaluateCell<7>(level, first, t, values);
-    default: return evaluateCell<8>(level, first, t, values);
+    case 1:
+      return evaluateCell<1>(level, first, t, values);
+    case 2:
+      return evaluateCell<2>(level, first, t, values);
+    case 3:
+      return evaluateCell<3>(level, first, t, values);
+    case 4:
+      return evaluateCell<4>(level, first, t, values);
+    case 5:
+      return evaluateCell<5>(level, first, t, values);
+    case 6:
+      return evaluateCell<6>(level, first, t, values);
+    case 7:
+      return evaluateCell<7>(level, first, t, values);
+    default:
+      return evaluateCell<8>(level, first, t, values);
   }
 }
 
@@ -93,6 +100,6 @@ Real sampleComponent(const BasisLevel& level, uint32_t j, double uniform);
 /// Solves F(t) = u F(1) for t in [0,1], F the integral of a non-negative polynomial with F(1) > 0
 /// given by its Bernstein coefficients. Closed forms up to degree 1, then Newton's method kept
 /// within a shrinking bracket: Cardano's formula gives NaN on flat cells.
-double invertPolynomialCdf(const double* coefficients, uint32_t order, double u);
+double invertPolynomialCdf(const double* b, uint32_t order, double u);
 
 }  // namespace awd

@@ -115,7 +115,7 @@ Tree getTree(ByteReader& reader, std::pmr::memory_resource* memory, uint32_t dim
       boxes[node.child + half] = boxes[i].half(node.axis, half);
     }
   }
-  return Tree(dimensions, std::move(nodes));
+  return {dimensions, std::move(nodes)};
 }
 
 Coefficients getCoefficients(ByteReader& reader, std::pmr::memory_resource* memory,

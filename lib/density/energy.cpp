@@ -57,7 +57,7 @@ class TreeEnergy {
     const TreeNode& at = density_.tree().nodes()[node];
     if (at.leaf()) {
       const double* c = &density_.coefficients()[at.child * size];
-      return Coefficients(c, c + size, bases_.memory());
+      return {c, c + size, bases_.memory()};
     }
     const Coefficients lower = project(at.child, 0.5 * volume, depth + 1);
     const Coefficients upper = project(at.child + 1, 0.5 * volume, depth + 1);

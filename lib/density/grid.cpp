@@ -101,14 +101,10 @@ void GridDensity::record(std::size_t count, const double* points, const double* 
         tally.alive += static_cast<int64_t>(1.0 / Tally::kAliveUnit);
         continue;
       }
-      const double value = sample.target.value * sample.inverse.value;
-      const int valueExponent = sample.target.exponent + sample.inverse.exponent;
-      forEachAlive<d>(strides_, at, [&](std::size_t j, double n) {
-        Tally& tally = tallies[j];
-        tally.value.add(value * n, valueExponent);
-        tally.weight.add(sample.inverse.value * n, sample.inverse.exponent);
-        tally.alive += static_cast<int64_t>(n * (1.0 / Tally::kAliveUnit) + 0.5);
-      });
+      const Scaled value = {sample.target.value * sample.inverse.value,
+                            sample.target.exponent + sample.inverse.exponent};
+      forEachAlive<d>(strides_, at,
+                      [&](std::size_t j, double n) { tallies[j].add(value, sample.inverse, n); });
     }
   });
 }

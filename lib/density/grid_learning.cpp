@@ -50,7 +50,7 @@ class Cascade {
 
   /// The rungs of `sums`, which belong to `levels`, up to the finest that m samples bear. `levels`
   /// becomes that of the result.
-  Coefficients run(LevelSums sums, double samples, Levels& levels, uint32_t& rungs) {
+  Coefficients run(const LevelSums& sums, double samples, Levels& levels, uint32_t& rungs) {
     Levels below = levels;
     const bool bears =
         static_cast<double>(sums.shape.size()) <= static_cast<double>(bearable(1)) * samples;
@@ -63,7 +63,7 @@ class Cascade {
       if (below[a] != levels[a]) coarse.restrict(bases_.family(a).level(below[a]), a);
     }
     Levels reached = below;
-    const Coefficients prior = run(std::move(coarse), samples, reached, rungs);
+    Coefficients prior = run(coarse, samples, reached, rungs);
     if (!bears) {
       levels = reached;
       return prior;

@@ -144,10 +144,11 @@ void settleTree(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
     learning.minLevel[a] = fixed ? levels.start : 0;
     leaves = std::min(leaves << std::min(levels.start, 31u), kMostCoefficients);
   }
-  if (leaves * leaf > learning.maxCoefficients) {
+  const uint64_t asked = leaves * leaf;
+  if (asked > learning.maxCoefficients) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "desc->axes ask for %llu coefficients at the start: desc->maxCoefficients is %llu",
-         static_cast<unsigned long long>(leaves * leaf),
+         static_cast<unsigned long long>(asked),
          static_cast<unsigned long long>(learning.maxCoefficients));
   }
   const uint64_t most =

@@ -24,7 +24,7 @@ BinnedSum getSum(ByteReader& reader) {
       (top != BinnedSum::kEmpty && (top > kFarthestBin || top < -kFarthestBin))) {
     reader.damaged();
   }
-  return BinnedSum(bins, top);
+  return {bins, top};
 }
 
 }  // namespace

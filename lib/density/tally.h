@@ -16,6 +16,12 @@ struct Tally {
 
   static constexpr double kAliveUnit = 0x1p-30;
 
+  /// A sample at which N_j is n: of value |f|/p and weight 1/p, each with an exponent.
+  void add(Scaled sampleValue, Scaled sampleWeight, double n) {
+    value.add(sampleValue.value * n, sampleValue.exponent);
+    weight.add(sampleWeight.value * n, sampleWeight.exponent);
+    alive += static_cast<int64_t>(n * (1.0 / kAliveUnit));
+  }
   void add(const Tally& other) {
     value.add(other.value);
     weight.add(other.weight);

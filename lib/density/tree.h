@@ -58,10 +58,9 @@ class Tree {
   const TreeNode& descend(double* x, uint32_t from = 0) const {
     const TreeNode* node = &nodes_[from];
     while (!node->leaf()) {
-      double& t = x[node->axis];
-      t *= 2.0;
-      const bool upper = t >= 1.0;
-      t -= upper ? 1.0 : 0.0;
+      const double twice = 2.0 * x[node->axis];
+      const bool upper = twice >= 1.0;
+      x[node->axis] = twice - (upper ? 1.0 : 0.0);
       node = &nodes_[node->child + upper];
     }
     return *node;

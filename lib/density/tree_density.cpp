@@ -157,13 +157,10 @@ void TreeDensity::record(std::size_t count, const double* points, const double* 
         if (t[a] < 0.5) boxes[a].add(sample);
       }
       boxes[d].add(sample);
-      const double value = sample.target.value * sample.inverse.value;
-      const int valueExponent = sample.target.exponent + sample.inverse.exponent;
+      const Scaled value = {sample.target.value * sample.inverse.value,
+                            sample.target.exponent + sample.inverse.exponent};
       forEachAlive<d>(strides_, at, [&](std::size_t j, double n) {
-        Tally& tally = statistics.tallies[leaf * leafSize_ + j];
-        tally.value.add(value * n, valueExponent);
-        tally.weight.add(sample.inverse.value * n, sample.inverse.exponent);
-        tally.alive += static_cast<int64_t>(n * (1.0 / Tally::kAliveUnit) + 0.5);
+        statistics.tallies[leaf * leafSize_ + j].add(value, sample.inverse, n);
       });
     }
   });

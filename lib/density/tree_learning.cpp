@@ -72,7 +72,7 @@ class TreeLearner {
   std::pair<std::size_t, std::size_t> split(std::size_t coefficients, uint32_t axis);
   void dropNoise(double least);
   /// Whether halving a node has not brought the density closer to what it could be.
-  bool gainedNothing(double whole, double halves) const { return halves >= 0.9 * whole; }
+  static bool gainedNothing(double whole, double halves) { return halves >= 0.9 * whole; }
   bool isNoise(uint32_t node, const TreeBox& box) const;
   double potential(uint32_t node, double volume) const;
   /// Copies the old tree down to its merged nodes, with shrunk estimates.

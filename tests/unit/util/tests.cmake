@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 awd_unit_test(util
   atomic_file_test.cpp
+  bytes_test.cpp
   context_test.cpp
   error_test.cpp
   memory_test.cpp
