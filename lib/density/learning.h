@@ -29,6 +29,8 @@ struct LearningReport {
 };
 
 /// Coefficients n that `samples` can bear.
-constexpr uint64_t bearable(uint64_t samples) { return 2 * samples; }
+constexpr uint64_t bearable(uint64_t samples) {
+  return samples > UINT64_MAX / 2 ? UINT64_MAX : 2 * samples;
+}
 
 }  // namespace awd

@@ -66,7 +66,7 @@ class TreeLearner {
   std::optional<TreeState> run(uint64_t nextSamples, LearningReport& report);
 
  private:
-  /// r_j of a node as if it were a leaf, into `out`.
+  /// r_j of a node as if it were a leaf, into `out`; its square if the target is RMS.
   void estimate(uint32_t node, double volume, double* out) const;
   /// Coefficients of the halves of a box, appended to the pool.
   std::pair<std::size_t, std::size_t> split(std::size_t coefficients, uint32_t axis);
@@ -110,7 +110,6 @@ void TreeLearner::estimate(uint32_t node, double volume, double* out) const {
     }
     // Where no sample fell the box's mean is the best that is known.
     out[j] = divisor > 0.0 ? sums_.values(node)[j] / divisor : sums_.whole(node).mean();
-    if (settings_.target == AWD_TARGET_RMS) out[j] = std::sqrt(out[j]);
   }
 }
 
@@ -217,6 +216,7 @@ void TreeLearner::descend(uint32_t oldNode, const Box& box, const TreeBox& place
   double* r = scratch_.data();
   estimate(oldNode, place.volume(shape_.dimensions), r);
   for (std::size_t j = 0; j < size_; ++j) {
+    if (settings_.target == AWD_TARGET_RMS) r[j] = std::sqrt(r[j]);
     double& c = pool_[box.coefficients + j];
     const double n = sums_.weights(oldNode)[j] > 0.0 ? sums_.counts(oldNode)[j] : 0.0;
     const double kappa = quasi ? settings_.shrinkage : 0.0;

@@ -412,6 +412,26 @@ TEST_F(Learning, ATreeThatWasRefinedForNothingCoarsens) {
   }
 }
 
+/// f is 1 with noise of its own at every point, of variance 1/12. How far p is from constant adds
+/// int p^2 - 1 to a relative variance: what is learned from noise stays below it.
+TEST_F(Learning, ATreeDoesNotLearnNoise) {
+  for (const char* basis : kNested) {
+    SCOPED_TRACE(basis);
+    const Density density =
+        newDensity(device_, {axisFrom(basis, 0, 8), axisFrom(basis, 0, 8)}, treeDesc());
+    for (int k = 0; k < 3; ++k) must(awdRefineDensity(density, AWD_ALL_AXES));
+    Random random(27), noise(28);
+    for (int k = 0; k < 4; ++k) {
+      const AWDDensityReport report =
+          pass(density, 4000, random, [&](const double*) { return 0.5 + noise.uniform(); });
+      EXPECT_GT(report.coarsened, 0u);
+      double squares = 0.0;
+      for (const double c : coefficientsOf(density, AWD_COEFFICIENTS_ORTHONORMAL)) squares += c * c;
+      EXPECT_LT(squares - 1.0, 0.5 / 12.0);
+    }
+  }
+}
+
 /// The corner of a tree that sees all of f keeps its leaves, the other, refined for nothing, none.
 TEST_F(Learning, ATreeCoarsensWhereThereIsNothingToSee) {
   const Density density = newDensity(device_, {axisFrom("haar", 0, 10)}, treeDesc());

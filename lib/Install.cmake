@@ -21,7 +21,7 @@ if(TARGET awd-program)
 endif()
 
 install(EXPORT awd-targets NAMESPACE awd:: FILE awdTargets.cmake DESTINATION ${package_folder})
-configure_package_config_file(cmake/awdConfig.cmake.in ${PROJECT_BINARY_DIR}/awdConfig.cmake
+configure_package_config_file(lib/awdConfig.cmake.in ${PROJECT_BINARY_DIR}/awdConfig.cmake
   INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/awdConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
