@@ -37,7 +37,7 @@ typedef struct Integration {
   Integrand f;
   void* user;
   uint32_t dimensions;
-  double lower[AWD_MAX_DIMENSIONS], width[AWD_MAX_DIMENSIONS];
+  double lower[AWD_MAX_DIMENSIONS], upper[AWD_MAX_DIMENSIONS], width[AWD_MAX_DIMENSIONS];
   double volume;
   IntegrateOptions options;
   IntegrateResult* result;
@@ -91,16 +91,16 @@ static double evaluate(Integration* run, size_t i) {
   double x[AWD_MAX_DIMENSIONS], pdf = 1.0, value;
   uint32_t a;
   for (a = 0; a < run->dimensions; ++a) {
-    x[a] = run->lower[a] + run->width[a] * run->points[a][i];
+    /* Rounding must not lead out of the box. */
+    x[a] = fmin(run->lower[a] + run->width[a] * run->points[a][i], run->upper[a]);
     pdf *= run->pdfs[a][i];
   }
   ++run->result->evaluations;
-  value = run->f(run->user, x);
-  if (!isfinite(value)) {
-    ++run->result->nonFinite;
-    return 0.0;
-  }
-  return ldexp(value, run->exponent) / pdf;
+  /* What overflows when scaled to other values counts as infinite. */
+  value = ldexp(run->f(run->user, x), run->exponent) / pdf;
+  if (isfinite(value)) return value;
+  ++run->result->nonFinite;
+  return 0.0;
 }
 
 static void keepRow(Integration* run, size_t i) {
@@ -278,6 +278,7 @@ static int checkBox(Integration* run, const double* lower, const double* upper) 
                   lower[a], upper[a]);
     }
     run->lower[a] = lower[a];
+    run->upper[a] = upper[a];
     run->width[a] = upper[a] - lower[a];
     run->volume *= run->width[a];
   }

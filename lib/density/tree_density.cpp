@@ -8,15 +8,6 @@
 
 namespace awd {
 
-namespace {
-
-/// Where the cell of t ends.
-double endOfCell(const BasisLevel& level, double t) {
-  return level.cells == 1 ? 1.0 : (cellOf(level, t) + 1.0) / level.cells;
-}
-
-}  // namespace
-
 Ref<TreeDensity> TreeDensity::make(std::pmr::memory_resource* memory,
                                    const BasisLevel* const* levels, Tree tree,
                                    Coefficients coefficients, Scale scale) {
@@ -129,15 +120,15 @@ void TreeDensity::sample(std::size_t count, const double* uniforms, double* poin
         drawn = t;
       }
       for (uint32_t a = 0; a < d; ++a) {
-        // Rounding must not carry the point into the next box, or the leaf's next cell.
-        points[a] = lower[a] + drawn[a] * size[a];
-        const double end = lower[a] + size[a] * endOfCell(*levels_[a], drawn[a]);
-        if (points[a] >= end) points[a] = std::nextafter(end, 0.0);
+        // Rounding must not carry the point into the next box.
+        const double place = drawn[a];
+        points[a] = lower[a] + place * size[a];
+        if (points[a] >= lower[a] + size[a]) points[a] = std::nextafter(lower[a] + size[a], 0.0);
         // As exact as the steps down the tree: the same bits as in pdf(). Nor may rounding carry it
         // into the next cell of the leaf, which may have no mass.
         const BasisLevel& level = *levels_[a];
         t[a] = (points[a] - lower[a]) / size[a];
-        while (level.cells > 1 && cellOf(level, t[a]) > cellOf(level, drawn[a])) {
+        while (level.cells > 1 && cellOf(level, t[a]) > cellOf(level, place)) {
           points[a] = std::nextafter(points[a], 0.0);
           t[a] = (points[a] - lower[a]) / size[a];
         }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -35,7 +36,6 @@ int repetitionsOf(const Options& options, const Method& method, double evaluatio
 std::vector<Method> allMethods() {
   std::vector<Method> methods = awdMethods();
   for (std::vector<Method> more : {gslMethods(), cubatureMethods()}) {
-    if (more.empty()) continue;
     std::move(more.begin(), more.end(), std::back_inserter(methods));
   }
   if (gslMethods().empty()) std::printf("built without GSL: no plain, MISER or VEGAS\n");

@@ -2,6 +2,7 @@
 #include "integrands.h"
 
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace bench {
@@ -161,6 +162,7 @@ double Integrand::exactIntegral() const {
 
 std::vector<Integrand> allIntegrands(int dimensions) {
   std::vector<Integrand> all;
+  all.reserve(kFamilies);
   for (int i = 0; i < kFamilies; ++i) all.emplace_back(static_cast<Family>(i), dimensions);
   return all;
 }

@@ -98,6 +98,14 @@ TEST_F(Integrate, ValuesOfAnyMagnitude) {
   }
 }
 
+TEST_F(Integrate, SpikeOfAnotherMagnitude) {
+  Problem problem{[](const double* x) { return x[0] < 0.001 ? 1e100 : 1e-100; }, {0, 0}, {1, 1}};
+  const Outcome outcome = solve(device_, problem, budget(20000));
+  EXPECT_EQ(outcome.status, INTEGRATE_DONE);
+  EXPECT_NEAR(outcome.value, 1e97, kSigmas * outcome.error);
+  EXPECT_LT(outcome.error, 1e96);
+}
+
 TEST_F(Integrate, CountsValuesThatAreNotFinite) {
   Problem problem{[](const double* x) {
                     if (x[0] > 0.75) return std::numeric_limits<double>::infinity();
