@@ -20,11 +20,13 @@ BinnedSum getSum(ByteReader& reader) {
   int64_t bins[BinnedSum::kBins];
   for (int64_t& bin : bins) bin = reader.get<int64_t>();
   const auto top = reader.get<int32_t>();
+  const BinnedSum sum(bins, top);
+  const bool empty = top == BinnedSum::kEmpty && sum.zero();
   if (bins[0] > kMostInTopBin || bins[0] < -kMostInTopBin ||
-      (top != BinnedSum::kEmpty && (top > kFarthestBin || top < -kFarthestBin))) {
+      (!empty && (top > kFarthestBin || top < -kFarthestBin))) {
     reader.damaged();
   }
-  return {bins, top};
+  return sum;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ using AddCommand = void (*)(CLI::App& program, bench::Action& action);
 
 constexpr AddCommand kCommands[] = {
     bench::addDensityCommand,
+    bench::addExtremesCommand,
     bench::addWaveletsCommand,
 #ifdef AWD_BENCH_GOOGLE
     bench::addSpeedCommand,

@@ -104,7 +104,7 @@ inline double integralOf(AWDDensity density) {
 inline std::vector<double> leavesOf(AWDDensity density) {
   size_t count;
   must(awdGetDensityLeaves(density, nullptr, 0, &count));
-  std::vector<double> boxes(2 * infoOf(density).dimensions * count);
+  std::vector<double> boxes(size_t{2} * infoOf(density).dimensions * count);
   must(awdGetDensityLeaves(density, boxes.data(), count, &count));
   return boxes;
 }

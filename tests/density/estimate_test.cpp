@@ -43,7 +43,7 @@ class Estimates : public testing::Test {
  protected:
   Density make(AWDCombination combination, AWDDensityDesc desc, const char* basis) const {
     desc.combination = combination;
-    desc.maxCoefficients = 1024;
+    desc.maxCoefficients = 512;
     return newDensity(device_, {{basis, 0, 0}}, desc);
   }
   Device device_ = newDevice(1u);
@@ -88,9 +88,9 @@ TEST_F(Estimates, ByCount) {
 
 /// Null hypothesis: the mean over many runs is the integral. |z| beyond its threshold: kFalseAlarm
 /// for all cases together. The reported error is right on average: its mean square over the true
-/// one within 25 %, of which the 600 runs themselves leave 6 % of uncertainty.
+/// one within 25 %, of which the 400 runs themselves leave 7 % of uncertainty.
 TEST_F(Estimates, ByCountIsUnbiasedAndItsErrorHonest) {
-  constexpr size_t kRuns = 600;
+  constexpr size_t kRuns = 400;
   const struct {
     const char* basis;
     AWDDensityDesc desc;

@@ -256,7 +256,7 @@ Outcome sixtyDecades() {
     desc.shrinkage = -1.0;
     desc.estimator = AWD_ESTIMATOR_QUASI;
     const Density density = newDensity(device(), {fixedAxis("haar", 6)}, desc);
-    std::vector<double> uniforms(64 * 256);
+    std::vector<double> uniforms(16384);
     for (size_t i = 0; i < uniforms.size(); ++i) {
       uniforms[i] = (double(i) + 0.5) / double(uniforms.size());
     }
@@ -369,7 +369,7 @@ Outcome thousandCycles() {
     samples.pdfs.resize(32);
     samples.components.resize(32);
     for (int cycle = 0; cycle < 1000; ++cycle) {
-      must(awdSampleDensity(density, 32, randomNumbers(32 * width, random).data(),
+      must(awdSampleDensity(density, 32, randomNumbers(size_t{32} * width, random).data(),
                             samples.points.data(), samples.pdfs.data(), samples.components.data()));
       samples.evaluate(f);
       record(density, samples);

@@ -161,7 +161,7 @@ TEST_F(Sampling, ASampleTellsThePdfOfItsPoint) {
 /// Null hypothesis: points fall into boxes in proportion to their masses. About 60 tests of 16 to
 /// 64 boxes each; false alarm in any of them: kFalseAlarm.
 TEST_F(Sampling, PointsFallByMass) {
-  constexpr size_t kSamples = 20000;
+  constexpr size_t kSamples = 10000;
   size_t tests = 0;
   double least = 1.0;
   forEach([&](const Case& c, AWDSampler sampler) {
@@ -220,7 +220,7 @@ TEST_F(Sampling, PointsFallByMass) {
 /// Null hypothesis: the first coordinate follows its marginal. Kolmogorov-Smirnov's distance,
 /// looked at on 1/128ths, beyond t / sqrt(n) has a probability of 2 exp(-2 t^2) at most.
 TEST_F(Sampling, TheFirstCoordinateFollowsItsMarginal) {
-  constexpr size_t kSamples = 20000;
+  constexpr size_t kSamples = 10000;
   const double threshold = std::sqrt(std::log(2.0 * 100.0 / kFalseAlarm) / 2.0 / kSamples);
   forEach([&](const Case& c, AWDSampler sampler) {
     const Density density = make(c, sampler, true);

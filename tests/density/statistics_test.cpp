@@ -14,7 +14,7 @@ namespace {
 
 using namespace awdtest;
 
-constexpr size_t kSamples = 3000;
+constexpr size_t kSamples = 2100;
 constexpr uint64_t kCoefficients = 1200;
 
 /// Values over 40 decades and of both signs, some of them 0, some no numbers.
@@ -293,7 +293,7 @@ TEST_F(Statistics, ForksOfAnotherPass) {
     adapt(density);
     const Bytes before = saved(density);
     expectFailure(awdJoinDensity(density, early), AWD_ERROR_INVALID_OPERATION,
-                  {"fork", "3000", "another p"});
+                  {"fork", std::to_string(kSamples), "another p"});
     EXPECT_TRUE(sameBits(saved(density), before));
     EXPECT_TRUE(sameBits(saved(early), held)) << "its samples are not lost";
     // Even when the adapt kept p; but a fork without samples just takes over.
