@@ -76,7 +76,7 @@ void printSummary(const std::vector<Table>& tables) {
   printLines("Reported errors whose 95 % interval misses [0.8, 1.5] of the true ones:", dishonest);
   printLines(
       "Lost. Cubature is far better than any Monte Carlo method on smooth functions in few\n"
-      "dimensions:",
+      "dimensions, and where it can halve its boxes towards a jump or kink along an axis:",
       lost);
 }
 

@@ -59,10 +59,6 @@ Integrand::Integrand(Family family, int dimensions) : family_(family), dimension
 
 const char* Integrand::name() const { return kNames[static_cast<int>(family_)]; }
 
-bool Integrand::smooth() const {
-  return family_ != Family::kC0 && family_ != Family::kDiscontinuous;
-}
-
 double Integrand::operator()(const double* x) const {
   const int d = dimensions_;
   double sum = 0.0, squares = 0.0, product = 1.0;

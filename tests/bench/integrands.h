@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace bench {
@@ -32,11 +31,8 @@ class Integrand {
 
   double operator()(const double* x) const;
 
-  Family family() const { return family_; }
   int dimensions() const { return dimensions_; }
   double integral() const { return integral_; }
-  /// Smooth in all of the cube.
-  bool smooth() const;
   const char* name() const;
 
  private:
