@@ -39,12 +39,6 @@ double newton(double t, double target, double total, Integral&& integral, Densit
   return t;
 }
 
-/// u (b0 + b1) / (b0 + sqrt((1-u) b0^2 + u b1^2)): no cancellation at any slope.
-double invertLinear(double b0, double b1, double u) {
-  const double divisor = b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1);
-  return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
-}
-
 /// Halley's method, from the straight line between the ends on: it takes two steps as a rule.
 double invertQuadratic(double b0, double b1, double b2, double u) {
   const double total = (b0 + b1 + b2) * (1.0 / 3.0);
@@ -53,7 +47,7 @@ double invertQuadratic(double b0, double b1, double b2, double u) {
   const double c2 = (b2 - b1) - c1;
   double low = 0.0;
   double high = 1.0;
-  double t = b0 + b2 > 0.0 ? invertLinear(b0, b2, u) : u;
+  double t = b0 + b2 > 0.0 ? invertLinearCdf(b0, b2, u) : u;
   for (int i = 0; i < 100; ++i) {
     const double miss = t * (b0 + t * (c1 + t * (1.0 / 3.0) * c2)) - target;
     if (std::abs(miss) <= 4.0 * kEpsilon * total) break;
@@ -76,9 +70,8 @@ double invertQuadratic(double b0, double b1, double b2, double u) {
 
 double invertPolynomialCdf(const double* b, uint32_t order, double u) {
   if (order == 1) return u;
-  // A uniform of 0 stands for those up to 2^-53; at t = 0 itself the polynomial may be 0.
-  u = std::max(u, 0x1p-54);
-  if (order == 2) return invertLinear(b[0], b[1], u);
+  u = std::max(u, kLeastUniform);
+  if (order == 2) return invertLinearCdf(b[0], b[1], u);
   if (order == 3) return invertQuadratic(b[0], b[1], b[2], u);
   // F in Bernstein form of one degree more: F_k = (b_0 + .. + b_{k-1}) / order.
   double integral[AWD_BASIS_MAX_ORDER + 1] = {0.0};

@@ -3,6 +3,7 @@
 // function, from the compiled tables of a level. No plugin is called.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -42,14 +43,17 @@ inline void bernsteinPolynomials(double t, double* b) {
   }
 }
 
-template <uint32_t order>
-inline void evaluateCell(const BasisLevel& level, std::size_t first, double t, AxisValues& values) {
+/// At the place t of a cell; alive: functions alive on every cell, or 0 to look it up.
+template <uint32_t order, uint32_t alive = 0>
+inline void evaluateCell(const BasisLevel& level, uint32_t cell, double t, AxisValues& values) {
+  const uint32_t count = alive > 0 ? alive : level.alive;
+  const std::size_t first = std::size_t{cell} * count;
   double b[order];
   bernsteinPolynomials<order>(t, b);
   const uint32_t* functions = &level.functions[first];
   const double* pieces = &level.pieces[first * order];
-  values.count = level.alive;
-  for (uint32_t a = 0; a < values.count; ++a, pieces += order) {
+  values.count = count;
+  for (uint32_t a = 0; a < count; ++a, pieces += order) {
     values.function[a] = functions[a];
     double value = pieces[0] * b[0];
     for (uint32_t k = 1; k < order; ++k) value += pieces[k] * b[k];
@@ -61,24 +65,23 @@ inline void evaluateCell(const BasisLevel& level, std::size_t first, double t, A
 inline void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) {
   const uint32_t cell = cellOf(level, x);
   const double t = x * level.cells - cell;
-  const std::size_t first = std::size_t{cell} * level.alive;
   switch (level.order) {
     case 1:
-      return evaluateCell<1>(level, first, t, values);
+      return evaluateCell<1>(level, cell, t, values);
     case 2:
-      return evaluateCell<2>(level, first, t, values);
+      return evaluateCell<2>(level, cell, t, values);
     case 3:
-      return evaluateCell<3>(level, first, t, values);
+      return evaluateCell<3>(level, cell, t, values);
     case 4:
-      return evaluateCell<4>(level, first, t, values);
+      return evaluateCell<4>(level, cell, t, values);
     case 5:
-      return evaluateCell<5>(level, first, t, values);
+      return evaluateCell<5>(level, cell, t, values);
     case 6:
-      return evaluateCell<6>(level, first, t, values);
+      return evaluateCell<6>(level, cell, t, values);
     case 7:
-      return evaluateCell<7>(level, first, t, values);
+      return evaluateCell<7>(level, cell, t, values);
     default:
-      return evaluateCell<8>(level, first, t, values);
+      return evaluateCell<8>(level, cell, t, values);
   }
 }
 
@@ -96,6 +99,16 @@ inline Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
 /// was drawn (eq. 3; the piece by its mass, then the inverse CDF of the polynomial in it).
 template <class Real>
 Real sampleComponent(const BasisLevel& level, uint32_t j, double uniform);
+
+/// A uniform of 0 stands for those up to 2^-53; at t = 0 itself a polynomial may be 0.
+constexpr double kLeastUniform = 0x1p-54;
+
+/// The straight line through b0 at 0 and b1 at 1: u (b0 + b1) / (b0 + sqrt((1-u) b0^2 + u b1^2)),
+/// without cancellation at any slope. Not both are 0.
+inline double invertLinearCdf(double b0, double b1, double u) {
+  const double divisor = b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1);
+  return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
+}
 
 /// Solves F(t) = u F(1) for t in [0,1], F the integral of a non-negative polynomial with F(1) > 0
 /// given by its Bernstein coefficients. Closed forms up to degree 1, then Newton's method kept

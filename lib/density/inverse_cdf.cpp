@@ -19,24 +19,27 @@ Coefficients cellMasses(std::pmr::memory_resource* memory, const BasisLevel& lev
   return masses;
 }
 
-/// A coordinate along an axis from the blend of R rows, or of rowCount if R is 0. Rows are those of
-/// the functions alive at the coordinates before.
-template <std::size_t R>
+/// A coordinate along an axis from the blend of rows, those of the functions alive at the
+/// coordinates before, and its cell. R: how many rows, or 0 to take rowCount. O: the order, if as
+/// many functions are alive on every cell, or 0 to look both up.
+template <std::size_t R, uint32_t O>
 double draw(const BasisLevel& level, const double* prefix, const double* marginal,
-            const BlendedRow* rows, std::size_t rowCount, double uniform) {
-  const std::size_t count = R == 0 ? rowCount : R;
-  const auto massUpTo = [&](uint32_t cell) {
-    double mass = 0.0;
-    for (std::size_t r = 0; r < count; ++r) {
-      mass += rows[r].value * prefix[rows[r].index * level.cells + cell];
+            const BlendedRow* rows, std::size_t rowCount, double uniform, uint32_t& cell) {
+  const std::size_t count = R > 0 ? R : rowCount;
+  const uint32_t order = O > 0 ? O : level.order;
+  const uint32_t alive = O > 0 ? O : level.alive;
+  const uint32_t cells = level.cells;
+  const auto massUpTo = [=](uint32_t end) {
+    double mass = rows[0].value * prefix[rows[0].index * cells + end];
+    for (std::size_t r = 1; r < count; ++r) {
+      mass += rows[r].value * prefix[rows[r].index * cells + end];
     }
     return mass;
   };
-  const double total = massUpTo(level.cells - 1);
-  const double target = uniform * total;
+  const double target = uniform * massUpTo(cells - 1);
   // The first cell up to whose end there is more mass than the target, without branches.
-  uint32_t cell = 0;
-  for (uint32_t span = level.cells; span > 1;) {
+  cell = 0;
+  for (uint32_t span = cells; span > 1;) {
     const uint32_t half = span / 2;
     cell += massUpTo(cell + half - 1) <= target ? half : 0;
     span -= half;
@@ -48,21 +51,29 @@ double draw(const BasisLevel& level, const double* prefix, const double* margina
     upTo = before;
     before = --cell > 0 ? massUpTo(cell - 1) : 0.0;
   }
-  double t = std::clamp((target - before) / (upTo - before), 0.0, 1.0);
-  if (level.order > 1) {
-    double b[AWD_BASIS_MAX_ORDER] = {0.0};
-    const std::size_t first = std::size_t{cell} * level.alive;
-    for (uint32_t k = 0; k < level.alive; ++k) {
+  double t = std::min(std::max((target - before) / (upTo - before), 0.0), 1.0);
+  if (order > 1) {
+    double b[O > 0 ? O : AWD_BASIS_MAX_ORDER] = {0.0};
+    const std::size_t first = std::size_t{cell} * alive;
+    for (uint32_t k = 0; k < alive; ++k) {
       double c = 0.0;
       for (std::size_t r = 0; r < count; ++r) {
         c += rows[r].value * marginal[rows[r].index * level.count + level.functions[first + k]];
       }
-      const double* piece = &level.pieces[(first + k) * level.order];
-      for (uint32_t o = 0; o < level.order; ++o) b[o] += c * piece[o];
+      const double* piece = &level.pieces[(first + k) * order];
+      for (uint32_t o = 0; o < order; ++o) b[o] += c * piece[o];
     }
-    t = invertPolynomialCdf(b, level.order, t);
+    t = O == 2 ? invertLinearCdf(b[0], b[O > 1 ? 1 : 0], std::max(t, kLeastUniform))
+               : invertPolynomialCdf(b, order, t);
   }
-  return clampIntoCell<double>(level, cell, (cell + t) / level.cells);
+  return clampIntoCell<double>(level, cell, (cell + t) / cells);
+}
+
+/// Rows of the last of D axes, if that many are worth unrolling; else 0.
+constexpr std::size_t unrolledRows(uint32_t axis, uint32_t alive) {
+  std::size_t rows = 1;
+  for (uint32_t a = 0; a < axis; ++a) rows *= alive;
+  return alive > 0 && rows <= 9 ? rows : 0;
 }
 
 }  // namespace
@@ -78,6 +89,10 @@ InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* cons
     : shape_(shape), marginals_(memory), prefixes_(memory) {
   const uint32_t d = shape.dimensions;
   std::copy(levels, levels + d, levels_);
+  order_ = levels[0]->order;
+  for (uint32_t a = 0; a < d; ++a) {
+    if (levels[a]->order != order_ || levels[a]->alive != order_) order_ = 0;
+  }
   marginals_.resize(d - 1);
   prefixes_.resize(d);
   const Coefficients* marginal = &coefficients;
@@ -106,42 +121,63 @@ InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* cons
   }
 }
 
-template <uint32_t D>
-void InverseCdf::sample(const Coefficients& coefficients, const double* uniforms, double* x,
-                        AxisValues* at) const {
-  BlendedRow rows[2][mostRows(D)];
-  std::size_t count = 1;
-  rows[0][0] = {0, 1.0};
-  for (uint32_t a = 0; a < D; ++a) {
-    const BasisLevel& level = *levels_[a];
-    const BlendedRow* present = rows[a % 2];
-    const double* marginal = a + 1 < D ? marginals_[a].data() : coefficients.data();
-    const double* prefix = prefixes_[a].data();
-    switch (count) {
-      case 1:
-        x[a] = draw<1>(level, prefix, marginal, present, count, uniforms[a]);
-        break;
-      case 2:
-        x[a] = draw<2>(level, prefix, marginal, present, count, uniforms[a]);
-        break;
-      case 3:
-        x[a] = draw<3>(level, prefix, marginal, present, count, uniforms[a]);
-        break;
-      default:
-        x[a] = draw<0>(level, prefix, marginal, present, count, uniforms[a]);
-        break;
-    }
-    evaluateAxis(level, x[a], at[a]);
-    if (a + 1 < D) count = blend(present, count, at[a], level.count, rows[(a + 1) % 2]);
+template <uint32_t D, uint32_t O, uint32_t A>
+void InverseCdf::sampleFrom(const Coefficients& coefficients, const double* uniforms,
+                            const BlendedRow* rows, std::size_t count, double* x,
+                            AxisValues* at) const {
+  const BasisLevel& level = *levels_[A];
+  const double* marginal = A + 1 < D ? marginals_[A].data() : coefficients.data();
+  const double* prefix = prefixes_[A].data();
+  uint32_t cell;
+  x[A] = draw<unrolledRows(A, O), O>(level, prefix, marginal, rows, count, uniforms[A], cell);
+  if constexpr (O > 0) {
+    evaluateCell<O, O>(level, cell, x[A] * level.cells - cell, at[A]);
+  } else {
+    evaluateAxis(level, x[A], at[A]);
+  }
+  if constexpr (A + 1 < D) {
+    BlendedRow next[mostRows(A + 2)];
+    next[0] = {0, 0.0};  // or the compiler fears that no function is alive
+    const std::size_t filled = blend(rows, count, at[A], level.count, next);
+    sampleFrom<D, O, A + 1>(coefficients, uniforms, next, filled, x, at);
   }
 }
 
-template void InverseCdf::sample<1>(const Coefficients&, const double*, double*, AxisValues*) const;
-template void InverseCdf::sample<2>(const Coefficients&, const double*, double*, AxisValues*) const;
-template void InverseCdf::sample<3>(const Coefficients&, const double*, double*, AxisValues*) const;
-template void InverseCdf::sample<4>(const Coefficients&, const double*, double*, AxisValues*) const;
-template void InverseCdf::sample<5>(const Coefficients&, const double*, double*, AxisValues*) const;
-template void InverseCdf::sample<6>(const Coefficients&, const double*, double*, AxisValues*) const;
+template <uint32_t D>
+void InverseCdf::sampleAny(const Coefficients& coefficients, const double* uniforms, double* x,
+                           AxisValues* at) const {
+  const BlendedRow row = {0, 1.0};
+  sampleFrom<D, 0, 0>(coefficients, uniforms, &row, 1, x, at);
+}
+
+template <uint32_t D>
+void InverseCdf::sample(const Coefficients& coefficients, const double* uniforms, double* x,
+                        AxisValues* at) const {
+  const BlendedRow row = {0, 1.0};
+  switch (order_) {
+    case 1:
+      return sampleFrom<D, 1, 0>(coefficients, uniforms, &row, 1, x, at);
+    case 2:
+      return sampleFrom<D, 2, 0>(coefficients, uniforms, &row, 1, x, at);
+    case 3:
+      return sampleFrom<D, 3, 0>(coefficients, uniforms, &row, 1, x, at);
+    default:
+      return sampleFrom<D, 0, 0>(coefficients, uniforms, &row, 1, x, at);
+  }
+}
+
+#define AWD_INSTANTIATE(D)                                                                         \
+  template void InverseCdf::sample<D>(const Coefficients&, const double*, double*, AxisValues*)    \
+      const;                                                                                       \
+  template void InverseCdf::sampleAny<D>(const Coefficients&, const double*, double*, AxisValues*) \
+      const;
+AWD_INSTANTIATE(1)
+AWD_INSTANTIATE(2)
+AWD_INSTANTIATE(3)
+AWD_INSTANTIATE(4)
+AWD_INSTANTIATE(5)
+AWD_INSTANTIATE(6)
+#undef AWD_INSTANTIATE
 
 std::size_t InverseCdf::bytes() const {
   std::size_t doubles = 0;

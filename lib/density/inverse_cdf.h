@@ -27,11 +27,22 @@ class InverseCdf {
   void sample(const Coefficients& coefficients, const double* uniforms, double* x,
               AxisValues* at) const;
 
+  /// The same in one way for all bases: what sample() is tested against, bit by bit.
+  template <uint32_t D>
+  void sampleAny(const Coefficients& coefficients, const double* uniforms, double* x,
+                 AxisValues* at) const;
+
   std::size_t bytes() const;
 
  private:
+  /// Axes A and after, given the rows of those before. O: the order of all axes, or 0.
+  template <uint32_t D, uint32_t O, uint32_t A>
+  void sampleFrom(const Coefficients& coefficients, const double* uniforms, const BlendedRow* rows,
+                  std::size_t count, double* x, AxisValues* at) const;
+
   const BasisLevel* levels_[kMaxDimensions] = {};
   Shape shape_;
+  uint32_t order_ = 0;  ///< of all axes, if as many functions are alive on every cell; else 0
   /// Axis a: coefficients of the marginal density of axes 0 .. a; the last axis needs none.
   std::pmr::vector<Coefficients> marginals_;
   /// Axis a: for each function of the axes before, the mass of its row up to the end of each cell.

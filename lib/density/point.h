@@ -35,17 +35,19 @@ inline void evaluatePoint(const BasisLevel* const* levels, const double* x, Axis
   for (uint32_t a = 0; a < D; ++a) evaluateAxis(*levels[a], x[a], at[a]);
 }
 
-/// sum_j c_j N_j at a point; strides are those of the coefficients.
-template <uint32_t D>
+/// sum_j c_j N_j at a point; strides are those of the coefficients. alive: functions alive on every
+/// axis, or 0 to look it up.
+template <uint32_t D, uint32_t alive = 0>
 inline double contract(const double* coefficients, const std::size_t* strides,
                        const AxisValues* at) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < at->count; ++i) {
+  const uint32_t count = alive > 0 ? alive : at->count;
+  for (uint32_t i = 0; i < count; ++i) {
     const double* row = coefficients + at->function[i] * strides[0];
     if constexpr (D == 1) {
       sum += at->value[i] * *row;
     } else {
-      sum += at->value[i] * contract<D - 1>(row, strides + 1, at + 1);
+      sum += at->value[i] * contract<D - 1, alive>(row, strides + 1, at + 1);
     }
   }
   return sum;

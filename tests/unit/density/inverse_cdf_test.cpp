@@ -99,6 +99,43 @@ TEST(InverseCdf, ConditionalsHitTheirTargets) {
   }
 }
 
+template <uint32_t D>
+void compareWithAny(const char* name, Uniforms& random) {
+  const Family compiled = family(name);
+  const BasisLevel* levels[D];
+  for (uint32_t a = 0; a < D; ++a) levels[a] = &compiled.level(3 - a);
+  const Shape shape = shapeOf(levels, D);
+  Coefficients c(shape.size(), 0.0);
+  for (double& value : c) value = random() < 0.2 ? 0.0 : std::pow(10.0, 4.0 * random());
+  const InverseCdf inverse(memory(), levels, shape, c);
+  for (int i = 0; i < 500; ++i) {
+    double u[D], fast[D], any[D];
+    for (double& uniform : u) uniform = i < 5 ? kEnds[i] : random();
+    AxisValues fastAt[D], anyAt[D];
+    inverse.sample<D>(c, u, fast, fastAt);
+    inverse.sampleAny<D>(c, u, any, anyAt);
+    for (uint32_t a = 0; a < D; ++a) {
+      ASSERT_EQ(fast[a], any[a]) << name << " axis " << a;
+      ASSERT_EQ(fastAt[a].count, anyAt[a].count);
+      for (uint32_t k = 0; k < fastAt[a].count; ++k) {
+        ASSERT_EQ(fastAt[a].function[k], anyAt[a].function[k]);
+        ASSERT_EQ(fastAt[a].value[k], anyAt[a].value[k]);
+      }
+    }
+  }
+}
+
+/// Bases of low order have code of their own, which must not change a bit.
+TEST(InverseCdf, TheFastWayGivesTheBitsOfTheGeneralOne) {
+  Uniforms random(3);
+  for (const char* name : kShipped) {
+    compareWithAny<1>(name, random);
+    compareWithAny<2>(name, random);
+    compareWithAny<3>(name, random);
+    compareWithAny<4>(name, random);
+  }
+}
+
 TEST(InverseCdf, RowsAreThoseAliveBefore) {
   const Family quadratic = family("quadratic-bspline"), haar = family("haar");
   const BasisLevel* levels[] = {&quadratic.level(3), &haar.level(3), &quadratic.level(2),
