@@ -19,7 +19,6 @@ double bernstein(const double* coefficients, uint32_t order, double t) {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kCubeRoot = 1e-6;  // below that of kEpsilon
 
 /// Newton's method for integral(t) = target, kept within a shrinking bracket. `total` is the
 /// integral up to 1.
@@ -39,40 +38,34 @@ double newton(double t, double target, double total, Integral&& integral, Densit
   return t;
 }
 
-/// Halley's method, from the straight line between the ends on: it takes two steps as a rule.
-double invertQuadratic(double b0, double b1, double b2, double u) {
+}  // namespace
+
+double invertQuadraticCdf(double b0, double b1, double b2, double u) {
   const double total = (b0 + b1 + b2) * (1.0 / 3.0);
   const double target = u * total;
   const double c1 = b1 - b0;
   const double c2 = (b2 - b1) - c1;
-  double low = 0.0;
-  double high = 1.0;
-  double t = b0 + b2 > 0.0 ? invertLinearCdf(b0, b2, u) : u;
-  for (int i = 0; i < 100; ++i) {
-    const double miss = t * (b0 + t * (c1 + t * (1.0 / 3.0) * c2)) - target;
-    if (std::abs(miss) <= 4.0 * kEpsilon * total) break;
-    (miss > 0.0 ? high : low) = t;
-    const double density = b0 + t * (2.0 * c1 + t * c2);
-    const double slope = c1 + t * c2;  // half of it
-    double next = t - miss * density / (density * density - miss * slope);
-    if (!(next > low && next < high)) {
-      next = 0.5 * (low + high);
-    } else if (std::abs(miss) <= kCubeRoot * total && density >= 0.1 * total) {
-      return next;  // the error is cubed by each step, which leaves rounding only
-    }
-    if (std::abs(next - t) <= kEpsilon * t) break;
-    t = next;
+  const double third = c2 * (1.0 / 3.0);
+  const auto integral = [=](double t) { return t * (b0 + t * (c1 + t * third)); };
+  const auto density = [=](double t) { return b0 + t * (2.0 * c1 + t * c2); };
+  // Two steps of Halley's method from the straight line between the ends, which leave rounding only
+  // unless the density is much bent; then Newton's method takes over.
+  const double start = b0 + b2 > 0.0 ? invertLinearCdf(b0, b2, u) : u;
+  double t = start;
+  for (int i = 0; i < 2; ++i) {
+    const double miss = integral(t) - target;
+    const double slope = density(t);
+    t -= miss * slope / (slope * slope - miss * (c1 + t * c2));
   }
-  return t;
+  if (!(t >= 0.0 && t <= 1.0)) t = start;
+  return newton(t, target, total, integral, density);
 }
-
-}  // namespace
 
 double invertPolynomialCdf(const double* b, uint32_t order, double u) {
   if (order == 1) return u;
   u = std::max(u, kLeastUniform);
   if (order == 2) return invertLinearCdf(b[0], b[1], u);
-  if (order == 3) return invertQuadratic(b[0], b[1], b[2], u);
+  if (order == 3) return invertQuadraticCdf(b[0], b[1], b[2], u);
   // F in Bernstein form of one degree more: F_k = (b_0 + .. + b_{k-1}) / order.
   double integral[AWD_BASIS_MAX_ORDER + 1] = {0.0};
   for (uint32_t k = 0; k < order; ++k) integral[k + 1] = integral[k] + b[k] / order;

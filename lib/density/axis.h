@@ -110,6 +110,9 @@ inline double invertLinearCdf(double b0, double b1, double u) {
   return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
 }
 
+/// The parabola of these three Bernstein coefficients, not all 0.
+double invertQuadraticCdf(double b0, double b1, double b2, double u);
+
 /// Solves F(t) = u F(1) for t in [0,1], F the integral of a non-negative polynomial with F(1) > 0
 /// given by its Bernstein coefficients. Closed forms up to degree 1, then Newton's method kept
 /// within a shrinking bracket: Cardano's formula gives NaN on flat cells.

@@ -63,8 +63,14 @@ double draw(const BasisLevel& level, const double* prefix, const double* margina
       const double* piece = &level.pieces[(first + k) * order];
       for (uint32_t o = 0; o < order; ++o) b[o] += c * piece[o];
     }
-    t = O == 2 ? invertLinearCdf(b[0], b[O > 1 ? 1 : 0], std::max(t, kLeastUniform))
-               : invertPolynomialCdf(b, order, t);
+    const double u = std::max(t, kLeastUniform);
+    if constexpr (O == 2) {
+      t = invertLinearCdf(b[0], b[1], u);
+    } else if constexpr (O == 3) {
+      t = invertQuadraticCdf(b[0], b[1], b[2], u);
+    } else {
+      t = invertPolynomialCdf(b, order, u);
+    }
   }
   return clampIntoCell<double>(level, cell, (cell + t) / cells);
 }
