@@ -105,7 +105,12 @@ void addAll(AWDDevice device, AWDDensityStructure structure, const char* basis, 
   });
 }
 
-int run(bool quick) {
+struct Options {
+  bool quick = false;
+  std::string filter = ".";
+};
+
+int run(const Options& options) {
   std::printf(
       "CPU time per sample in two dimensions. Intel Open PGL's parallax-aware mixtures took, on a\n"
       "machine of this kind: pdf 41 ns, sample + pdf 121 ns, update 460 ns a sample.\n");
@@ -123,20 +128,21 @@ int run(bool quick) {
                                   "m3"};
   for (const char* family : families) {
     for (const uint32_t level : {2u, 3u, 4u, 6u}) {
-      if (quick && level != 3) continue;
+      if (options.quick && level != 3) continue;
       addAll(device, AWD_STRUCTURE_GRID, family, level);
     }
   }
   for (const char* family : {"haar", "f2", "m2", "m3"}) {
     for (const uint32_t level : {2u, 3u, 4u, 6u}) {
-      if (quick && level != 3) continue;
+      if (options.quick && level != 3) continue;
       addAll(device, AWD_STRUCTURE_TREE, family, level);
     }
   }
-  std::string program = "awd-bench",
-              time = quick ? "--benchmark_min_time=0.001" : "--benchmark_min_time=0.1";
-  char* arguments[] = {program.data(), time.data(), nullptr};
-  int count = 2;
+  std::string program = "awd-bench";
+  std::string time = options.quick ? "--benchmark_min_time=0.001" : "--benchmark_min_time=0.1";
+  std::string filter = "--benchmark_filter=" + options.filter;
+  char* arguments[] = {program.data(), time.data(), filter.data(), nullptr};
+  int count = 3;
   benchmark::Initialize(&count, arguments);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
@@ -147,9 +153,10 @@ int run(bool quick) {
 
 void addSpeedCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("speed", "Time a sample for each basis and level");
-  const auto quick = std::make_shared<bool>(false);
-  command->add_flag("--quick", *quick, "One level, short runs");
-  command->callback([quick, &action] { action = [quick] { return run(*quick); }; });
+  const auto options = std::make_shared<Options>();
+  command->add_flag("--quick", options->quick, "One level, short runs");
+  command->add_option("--filter", options->filter, "Only what matches this, such as grid/m2/4/pdf");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace bench
