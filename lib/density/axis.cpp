@@ -5,16 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace awd {
+#include "basis/bernstein.h"
 
-double bernstein(const double* coefficients, uint32_t order, double t) {
-  double row[AWD_BASIS_MAX_ORDER + 1];
-  std::copy(coefficients, coefficients + order, row);
-  for (uint32_t remaining = order; remaining > 1; --remaining) {
-    for (uint32_t k = 0; k + 1 < remaining; ++k) row[k] += t * (row[k + 1] - row[k]);
-  }
-  return row[0];
-}
+namespace awd {
 
 namespace {
 
@@ -71,8 +64,8 @@ double invertPolynomialCdf(const double* b, uint32_t order, double u) {
   for (uint32_t k = 0; k < order; ++k) integral[k + 1] = integral[k] + b[k] / order;
   const double total = integral[order];
   return newton(
-      u, u * total, total, [&](double t) { return bernstein(integral, order + 1, t); },
-      [&](double t) { return bernstein(b, order, t); });
+      u, u * total, total, [&](double t) { return bernsteinValue(integral, order + 1, t); },
+      [&](double t) { return bernsteinValue(b, order, t); });
 }
 
 template <class Real>

@@ -24,9 +24,6 @@ inline uint32_t cellOf(const BasisLevel& level, double x) {
   return cell < level.cells ? cell : level.cells - 1;
 }
 
-/// Value at t in [0,1] of the polynomial with `order` Bernstein coefficients (de Casteljau).
-double bernstein(const double* coefficients, uint32_t order, double t);
-
 /// The Bernstein polynomials C(order-1, k) t^k (1-t)^(order-1-k) themselves.
 template <uint32_t order>
 inline void bernsteinPolynomials(double t, double* b) {

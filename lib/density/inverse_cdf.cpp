@@ -84,12 +84,6 @@ constexpr std::size_t unrolledRows(uint32_t axis, uint32_t alive) {
 
 }  // namespace
 
-std::size_t InverseCdf::rowsOf(const BasisLevel* const* levels, uint32_t dimensions) {
-  std::size_t rows = 1;
-  for (uint32_t a = 0; a + 1 < dimensions; ++a) rows *= levels[a]->alive;
-  return rows;
-}
-
 InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* const* levels,
                        const Shape& shape, const Coefficients& coefficients)
     : shape_(shape), marginals_(memory), prefixes_(memory) {

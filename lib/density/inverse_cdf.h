@@ -15,9 +15,6 @@ namespace awd {
 
 class InverseCdf {
  public:
-  /// Rows that drawing the last coordinate blends: functions alive on the axes before it.
-  static std::size_t rowsOf(const BasisLevel* const* levels, uint32_t dimensions);
-
   /// `coefficients`: not negative, of positive integral. Keeps pointers to the levels.
   InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* const* levels, const Shape& shape,
              const Coefficients& coefficients);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "density/inverse_cdf.h"
+#include "density/blended_row.h"
 #include "density/leaf_sampler.h"
 #include "util/error.h"
 
@@ -166,6 +166,20 @@ void settleTree(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
   }
 }
 
+/// Rows that drawing the last coordinate blends, on whichever levels that is most.
+std::size_t mostRowsOf(const DensityBases& bases) {
+  std::size_t rows = 1;
+  for (uint32_t a = 0; a + 1 < bases.dimensions(); ++a) {
+    const Family& family = bases.family(a);
+    uint32_t alive = 1;
+    for (uint32_t l = family.minLevel(); l <= family.maxLevel(); ++l) {
+      alive = std::max(alive, family.level(l).alive);
+    }
+    rows *= alive;
+  }
+  return rows;
+}
+
 }  // namespace
 
 const char* defaultBasis(AWDDensityStructure structure) {
@@ -224,14 +238,14 @@ Ref<DensityBases> compileBases(std::pmr::memory_resource* memory, const DensityS
     axes[a] = {families[a], tree ? 1 : settings.learning.maxLevel[a]};
   }
   Ref<DensityBases> bases = DensityBases::make(memory, axes, settings.dimensions);
-  const BasisLevel* tables[kMaxDimensions];
-  bases->tables(tree ? Levels{} : settings.learning.maxLevel, tables);
-  if (!tree && settings.sampler == AWD_SAMPLER_INVERSE_CDF &&
-      InverseCdf::rowsOf(tables, settings.dimensions) > kMostRows) {
-    fail(AWD_ERROR_UNSUPPORTED,
-         "bases of such high order in %u dimensions: %zu rows of coefficients would be blended for "
-         "one point, at most %zu are; take the sampler component",
-         settings.dimensions, InverseCdf::rowsOf(tables, settings.dimensions), kMostRows);
+  if (!tree && settings.sampler == AWD_SAMPLER_INVERSE_CDF) {
+    const std::size_t rows = mostRowsOf(*bases);
+    if (rows > kMostRows) {
+      fail(AWD_ERROR_UNSUPPORTED,
+           "bases of such high order in %u dimensions: %zu rows of coefficients would be blended "
+           "for one point, at most %zu are; take the sampler component",
+           settings.dimensions, rows, kMostRows);
+    }
   }
   return bases;
 }

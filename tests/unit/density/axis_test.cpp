@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "basis/bernstein.h"
 #include "density/levels.h"
 
 namespace awd {
@@ -61,7 +62,8 @@ TEST(Axis, CdfInversionHitsItsTarget) {
       const double t = invertPolynomialCdf(b, order, u);
       ASSERT_GE(t, 0.0);
       ASSERT_LE(t, 1.0);
-      ASSERT_NEAR(bernstein(integral, order + 1, t), u * integral[order], 1e-14 * integral[order])
+      ASSERT_NEAR(bernsteinValue(integral, order + 1, t), u * integral[order],
+                  1e-14 * integral[order])
           << "order " << order << " case " << i;
     }
   }

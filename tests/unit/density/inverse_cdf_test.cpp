@@ -136,14 +136,5 @@ TEST(InverseCdf, TheFastWayGivesTheBitsOfTheGeneralOne) {
   }
 }
 
-TEST(InverseCdf, RowsAreThoseAliveBefore) {
-  const Family quadratic = family("quadratic-bspline"), haar = family("haar");
-  const BasisLevel* levels[] = {&quadratic.level(3), &haar.level(3), &quadratic.level(2),
-                                &quadratic.level(1)};
-  EXPECT_EQ(InverseCdf::rowsOf(levels, 1), 1u);
-  EXPECT_EQ(InverseCdf::rowsOf(levels, 3), 3u);
-  EXPECT_EQ(InverseCdf::rowsOf(levels, 4), 9u);
-}
-
 }  // namespace
 }  // namespace awd
