@@ -14,6 +14,10 @@ foreach(folder ${bases})
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/awd/bases-${AWD_BASIS_ABI})
 endforeach()
 
+if(TARGET awd-refit)
+  install(TARGETS awd-refit LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/awd)
+endif()
+
 if(TARGET awd-program)
   file(RELATIVE_PATH to_library ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(awd-program PROPERTIES INSTALL_RPATH $ORIGIN/${to_library})

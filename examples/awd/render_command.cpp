@@ -37,6 +37,8 @@ Field makeField(const Device& device, const RenderOptions& options) {
   desc.preset = options.presetValue();
   desc.basis = options.basis ? options.basis->c_str() : nullptr;
   if (options.level) desc.maxLevel = AWD_LEVEL(*options.level);
+  desc.estimator = options.estimatorValue();
+  desc.refitSolver = options.refitSolver ? options.refitSolver->c_str() : nullptr;
   check(awdNewField(device.get(), &desc, field.out()));
   return field;
 }
@@ -104,14 +106,18 @@ void writeStatistics(const Render& render, const Field& field, const AWDCamera& 
   json spp = json::array();
   for (const json& pass : statistics["passes"]) spp.push_back(pass["samples_per_pixel"]);
   statistics["version"] = libraryVersion();
-  statistics["settings"] = {{"scene", fileName(options.scene)},
-                            {"width", camera.width},
-                            {"height", camera.height},
-                            {"guide", options.guide},
-                            {"basis", basisName(field)},
-                            {"preset", options.preset},
-                            {"seed", options.seed},
-                            {"spp", spp}};
+  statistics["settings"] = {
+      {"scene", fileName(options.scene)},
+      {"width", camera.width},
+      {"height", camera.height},
+      {"guide", options.guide},
+      {"basis", basisName(field)},
+      {"estimator", field.get() ? json(options.estimator) : json()},
+      {"refit_solver", options.refitSolver ? json(*options.refitSolver) : json()},
+      {"preset", options.preset},
+      {"seed", options.seed},
+      {"spp", spp}};
+  if (field.get() && options.estimator == "refit") statistics["refit"] = refitStatistics(field);
   writeFile(*options.json, toText(statistics));
 }
 

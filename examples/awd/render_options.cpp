@@ -2,11 +2,19 @@
 #include "render_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <limits>
 
 #include "failure.h"
 
 namespace command {
+
+namespace {
+
+/// In the order of AWD_ESTIMATOR_..., from AWD_ESTIMATOR_PAPER on.
+const std::vector<std::string> kEstimators = {"paper", "mixture", "ratio", "quasi", "refit"};
+
+}  // namespace
 
 void RenderOptions::describe(CLI::App& command) {
   const CLI::Range sides(1, 65536);
@@ -25,6 +33,12 @@ void RenderOptions::describe(CLI::App& command) {
   command.add_option("--basis", basis, "Basis of adaptive densities, see `awd bases`");
   command.add_option("--level", level, "Finest level of adaptive densities")
       ->check(CLI::Range(0, 20));
+  command.add_option("--estimator", estimator, "How adaptive densities learn, see awd/types.h")
+      ->capture_default_str()
+      ->check(CLI::IsMember(kEstimators));
+  command.add_option("--refit-solver", refitSolver,
+                     "ceres or descent, with --estimator refit. Without it: the refit\n"
+                     "module's first");
   command.add_option("--preset", preset, "paper: Pietrek and Peter 1999 to the letter")
       ->capture_default_str()
       ->check(CLI::IsMember({"paper", "default"}));
@@ -61,6 +75,9 @@ void RenderOptions::finish() {
   if (!pdfs.empty() && !isAdaptive()) {
     throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);
   }
+  if (refitSolver && estimator != "refit") {
+    throw UsageError("--refit-solver needs --estimator refit, not " + estimator);
+  }
 }
 
 AWDGuide RenderOptions::guideValue() const {
@@ -70,6 +87,11 @@ AWDGuide RenderOptions::guideValue() const {
 
 AWDPreset RenderOptions::presetValue() const {
   return preset == "paper" ? AWD_PRESET_PAPER : AWD_PRESET_DEFAULT;
+}
+
+AWDEstimator RenderOptions::estimatorValue() const {
+  const auto found = std::find(kEstimators.begin(), kEstimators.end(), estimator);
+  return AWD_ESTIMATOR_PAPER + static_cast<AWDEstimator>(found - kEstimators.begin());
 }
 
 }  // namespace command

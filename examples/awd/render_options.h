@@ -15,9 +15,9 @@ namespace command {
 
 struct RenderOptions {
   std::string scene, output;
-  std::optional<std::string> camera, json, basis, spp;
+  std::optional<std::string> camera, json, basis, spp, refitSolver;
   std::optional<uint32_t> width, height, level, passes, samples;
-  std::string guide = "adaptive", preset = "default";
+  std::string guide = "adaptive", preset = "default", estimator = "paper";
   uint64_t seed = 0;
   uint32_t shadowRays = 0;  // 0: the preset's
   std::vector<std::string> pdfTexts;
@@ -34,6 +34,7 @@ struct RenderOptions {
   bool isAdaptive() const { return guide == "adaptive"; }
   AWDGuide guideValue() const;
   AWDPreset presetValue() const;
+  AWDEstimator estimatorValue() const;
 };
 
 }  // namespace command

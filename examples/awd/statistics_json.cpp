@@ -33,6 +33,14 @@ json renderStatistics(const Render& render) {
   return {{"passes", passes}, {"total", toJson(statistics)}};
 }
 
+json refitStatistics(const Field& field) {
+  AWDFieldStatistics statistics = AWD_FIELD_STATISTICS_INIT;
+  check(awdGetFieldStatistics(field.get(), &statistics));
+  return {{"failed", statistics.refitFailed},
+          {"limited", statistics.refitLimited},
+          {"iterations", statistics.refitIterations}};
+}
+
 std::string toText(const json& value) {
   return value.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }

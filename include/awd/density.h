@@ -29,22 +29,6 @@ extern "C" {
 typedef int32_t AWDDensityStructure;
 enum { AWD_STRUCTURE_DEFAULT = 0, AWD_STRUCTURE_GRID = 1, AWD_STRUCTURE_TREE = 2 };
 
-/* How coefficients come from the m samples x_i ~ p of values f_i. With S1_j = sum f N_j / p and
-   S0_j = sum N_j / p over all samples, weights w_j = int N_j and Gram matrix G:
-     paper    b_j = w_j times the mean of f over the samples drawn from component j; G c = b
-     mixture  b_j = S1_j / m; G c = b
-     ratio    b_j = w_j S1_j / S0_j; G c = b
-     quasi    c_j = S1_j / S0_j, shrunk towards the coarser levels: never negative
-   Default: quasi; ratio where the level can't grow any more and m >= 16 n on a grid. */
-typedef int32_t AWDEstimator;
-enum {
-  AWD_ESTIMATOR_DEFAULT = 0,
-  AWD_ESTIMATOR_PAPER = 1, /* wants AWD_SAMPLER_COMPONENT */
-  AWD_ESTIMATOR_MIXTURE = 2,
-  AWD_ESTIMATOR_RATIO = 3,
-  AWD_ESTIMATOR_QUASI = 4
-};
-
 /* What the density becomes proportional to: the local mean of |f| (default), or the local
    sqrt(E[f^2]), which is the better one where f is noisy at each point. */
 typedef int32_t AWDTarget;
@@ -91,18 +75,26 @@ typedef struct AWDDensityDesc {
   double shrinkage;
   uint64_t passSamples;     /* to be expected in a pass; 0: 1024, later twice the last pass's */
   uint64_t maxCoefficients; /* 0: 65536 */
+  /* Of the estimator refit: the solver by name, "ceres" or "descent"; NULL: the module's first.
+     Both give the same coefficients. */
+  const char* refitSolver;
+  /* Most memory that the sums of refit may take; 0: 2^28. Levels and trees grow no further. */
+  uint64_t refitBytes;
 } AWDDensityDesc;
 
 #ifdef __cplusplus
 #define AWD_DENSITY_DESC_INIT                                                                      \
-  AWDDensityDesc { sizeof(AWDDensityDesc), 0u, 0, nullptr, 0, 0, 0, 0, 0.0, 0.0, 0u, 0u }
+  AWDDensityDesc {                                                                                 \
+    sizeof(AWDDensityDesc), 0u, 0, nullptr, 0, 0, 0, 0, 0.0, 0.0, 0u, 0u, nullptr, 0u              \
+  }
 #else
 #define AWD_DENSITY_DESC_INIT                                                                      \
-  { sizeof(AWDDensityDesc), 0u, 0, NULL, 0, 0, 0, 0, 0.0, 0.0, 0u, 0u }
+  { sizeof(AWDDensityDesc), 0u, 0, NULL, 0, 0, 0, 0, 0.0, 0.0, 0u, 0u, NULL, 0u }
 #endif
 
-/* Makes a constant density. AWD_ERROR_UNSUPPORTED when there is no such basis (the message names
-   the paths tried), or a tree is asked of a family that is not nested. Free. */
+/* Makes a constant density. AWD_ERROR_UNSUPPORTED when there is no such basis or, for the estimator
+   refit, no refit module or no such solver in it (the message names the paths tried), or a tree is
+   asked of a family that is not nested. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewDensity(AWDDevice device, const AWDDensityDesc* desc,
                                             AWDDensity* density) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdRetainDensity(AWDDensity density) AWD_NOEXCEPT;
@@ -152,18 +144,27 @@ typedef struct AWDDensityReport {
   int32_t kept;             /* 1: the samples were of no use, p is as it was */
   uint32_t estimatedLevels; /* grid: rungs of the cascade that were estimated, 1 if there was none;
                                the levels beyond are refined from them */
+  AWDRefitStatus refitStatus; /* this and all below: of the estimator refit */
+  uint32_t refitIterations;   /* the solver's: sweeps of descent, trust-region steps of ceres */
+  uint64_t refitAtBound;      /* coefficients that the floor holds */
+  double refitLambda;         /* lambda of the pull towards the cascade */
+  double refitObjective;      /* what was minimised over that of c = 0: 0 would be a perfect fit */
+  const char* refitMessage;   /* the solver's own account; lives until the density's next adapt */
 } AWDDensityReport;
 
 #ifdef __cplusplus
 #define AWD_DENSITY_REPORT_INIT                                                                    \
-  AWDDensityReport { sizeof(AWDDensityReport), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0, 0, 0u }
+  AWDDensityReport {                                                                               \
+    sizeof(AWDDensityReport), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0, 0, 0u, 0, 0u, 0u, 0.0, 0.0, nullptr  \
+  }
 #else
 #define AWD_DENSITY_REPORT_INIT                                                                    \
-  { sizeof(AWDDensityReport), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0, 0, 0u }
+  { sizeof(AWDDensityReport), 0u, 0u, 0u, 0u, 0u, 0u, 0.0, 0, 0, 0u, 0, 0u, 0u, 0.0, 0.0, NULL }
 #endif
 
 /* Ends a pass: p becomes what the samples say, its level or tree what their number bears;
-   recording starts anew. report may be NULL. A failure changes nothing. Exclusive. */
+   recording starts anew. report may be NULL. A failure changes nothing. Only refit takes long
+   enough to tell of its progress and to be cancelled. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdAdaptDensity(AWDDensity density,
                                               AWDDensityReport* report) AWD_NOEXCEPT;
 

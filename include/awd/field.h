@@ -33,18 +33,25 @@ typedef struct AWDFieldDesc {
   /* Coefficients below tau times the mean density are raised to it, 0 < tau <= 1; 0: the
      preset's (paper: 0.05; default: 0.3); negative: no floor, which risks infinite variance. */
   double tau;
+  AWDEstimator estimator; /* 0: paper */
+  /* Of the estimator refit: the solver by name, "ceres" or "descent"; NULL: the module's first.
+     Both give the same coefficients. */
+  const char* refitSolver;
+  /* Of quasi and refit, as in AWDDensityDesc. */
+  double shrinkage;
 } AWDFieldDesc;
 
 #ifdef __cplusplus
 #define AWD_FIELD_DESC_INIT                                                                        \
-  AWDFieldDesc { sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0 }
+  AWDFieldDesc { sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0, 0, nullptr, 0.0 }
 #else
 #define AWD_FIELD_DESC_INIT                                                                        \
-  { sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0 }
+  { sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0, 0, NULL, 0.0 }
 #endif
 
 /* Makes an empty field; desc NULL: all defaults. AWD_ERROR_UNSUPPORTED when there is no such
-   basis: the message names the paths tried. Free. */
+   basis or, for the estimator refit, no refit module or no such solver in it: the message names
+   the paths tried. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
                                           AWDField* field) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdRetainField(AWDField field) AWD_NOEXCEPT;
@@ -74,7 +81,8 @@ AWD_EXPORT AWDResult AWD_CALL awdGetFieldPdf(AWDField field, uint32_t patch, con
 /* What came from a direction drawn by awdSampleField since the last adapt: value = luminance of
    f_r L_i cos(theta), that is 0 where nothing came; not divided by the pdf. A value that is NaN,
    infinite or negative counts as a rejected sample of value 0. Sums are integers: the result does
-   not depend on the order of calls. Free, but not while the field adapts. */
+   not depend on the order of calls. The estimator paper goes by the sample's component, the others
+   by its square and pdf. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch,
                                              const AWDDirectionSample* sample,
                                              double value) AWD_NOEXCEPT;
@@ -86,24 +94,27 @@ AWD_EXPORT AWDResult AWD_CALL awdSetFieldScale(AWDField field, double magnitude)
 
 typedef struct AWDFieldStatistics {
   size_t structSize;
-  uint64_t patches;      /* that have ever had a sample */
-  uint64_t coefficients; /* of all their densities */
-  uint64_t bytes;        /* memory held by the field */
-  uint64_t samples;      /* recorded by the pass that the last adapt ended */
-  uint64_t rejected;     /* of these: NaN, infinite or negative */
-  uint64_t saturated;    /* of these: too large for the scale, clamped */
-  uint64_t kept;         /* patches whose samples were of no use: density kept as it was */
+  uint64_t patches;         /* that have ever had a sample */
+  uint64_t coefficients;    /* of all their densities */
+  uint64_t bytes;           /* memory held by the field */
+  uint64_t samples;         /* recorded by the pass that the last adapt ended */
+  uint64_t rejected;        /* of these: NaN, infinite or negative */
+  uint64_t saturated;       /* of these: too large for the scale, clamped */
+  uint64_t kept;            /* patches whose samples were of no use: density kept as it was */
+  uint64_t refitFailed;     /* patches whose refit failed in the last adapt: quasi instead */
+  uint64_t refitLimited;    /* that ended at the solver's limit of iterations */
+  uint64_t refitIterations; /* of the solver in the last adapt, over all patches */
 } AWDFieldStatistics;
 
 #ifdef __cplusplus
 #define AWD_FIELD_STATISTICS_INIT                                                                  \
-  AWDFieldStatistics { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+  AWDFieldStatistics { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #else
 #define AWD_FIELD_STATISTICS_INIT                                                                  \
-  { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+  { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #endif
 
-/* Ends a pass: every patch's recorded samples become its next density (project, clamp,
+/* Ends a pass: every patch's recorded samples become its next density (estimate, clamp,
    normalise), refined by a level where that is due; statistics start anew. statistics may be NULL.
    A cancelled adapt leaves the field as it was. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdAdaptField(AWDField field,

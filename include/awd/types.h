@@ -108,6 +108,39 @@ typedef struct AWDBuffer {
 typedef int32_t AWDPreset;
 enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
 
+/* How coefficients come from the m samples x_i ~ p of values f_i. With S1_j = sum f N_j / p and
+   S0_j = sum N_j / p over all samples, weights w_j = int N_j and Gram matrix G:
+     paper    b_j = w_j times the mean of f over the samples drawn from component j; G c = b
+     mixture  b_j = S1_j / m; G c = b
+     ratio    b_j = w_j S1_j / S0_j; G c = b
+     quasi    c_j = S1_j / S0_j, shrunk towards the coarser levels: never negative
+     refit    the c >= floor that minimises
+              sum_i (f_i - sum_j c_j N_j(x_i))^2 / p_i + lambda S0 sum_j w_j (c_j - q_j)^2,
+              q_j those of quasi, S0 = sum_i 1 / p_i, lambda = shrinkage n / m, or by the noise
+              if shrinkage is 0 (lib/refit/README.md tells how); wants the refit
+              module that libawd looks for at <its folder>/awd/refit-1.so and in the folders of
+              $AWD_REFIT_PATH (separated by ':'; not when the process is privileged)
+   Default, of a density: quasi; ratio where the level can't grow any more and m >= 16 n on a grid.
+   Of a field: paper. */
+typedef int32_t AWDEstimator;
+enum {
+  AWD_ESTIMATOR_DEFAULT = 0,
+  AWD_ESTIMATOR_PAPER = 1, /* wants AWD_SAMPLER_COMPONENT */
+  AWD_ESTIMATOR_MIXTURE = 2,
+  AWD_ESTIMATOR_RATIO = 3,
+  AWD_ESTIMATOR_QUASI = 4,
+  AWD_ESTIMATOR_REFIT = 5
+};
+
+/* How a refit ended. */
+typedef int32_t AWDRefitStatus;
+enum {
+  AWD_REFIT_NONE = 0,      /* there was none */
+  AWD_REFIT_CONVERGED = 1, /* at the optimum */
+  AWD_REFIT_LIMIT = 2,     /* at the solver's limit of iterations: good, not quite the optimum */
+  AWD_REFIT_FAILED = 3     /* the quasi coefficients were taken instead */
+};
+
 /* Severity of a log message. */
 enum { AWD_LOG_INFO = 0, AWD_LOG_WARNING = 1, AWD_LOG_ERROR = 2 };
 
@@ -119,7 +152,7 @@ typedef void(AWD_CALL* AWDLogFn)(void* user, int32_t severity, const char* messa
 typedef struct AWDProgress {
   size_t structSize;
   const char* operation; /* "commit", "pass" or "adapt" */
-  const void* object;    /* the AWDScene, AWDRender or AWDField at work */
+  const void* object;    /* the AWDScene, AWDRender, AWDField or AWDDensity at work */
   double fraction;       /* 0 to 1, never falling within one operation */
 } AWDProgress;
 

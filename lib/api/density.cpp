@@ -7,6 +7,8 @@
 #include "api/handles.h"
 #include "basis/device.h"
 #include "density/density.h"
+#include "density/refit_bytes.h"
+#include "density/refit_solvers.h"
 
 using namespace awd;
 
@@ -70,6 +72,11 @@ const AWDBasisFamily& findFamily(void* device, const char* name) {
   return static_cast<Device*>(device)->registry().find(name);
 }
 
+const AWDRefitSolver& findSolver(void* device, const char* name) {
+  const bool ignoreEnvironment = static_cast<Device*>(device)->registry().ignoresEnvironment();
+  return findRefitSolver(refitFolders(ignoreEnvironment), name);
+}
+
 }  // namespace
 
 extern "C" {
@@ -89,9 +96,13 @@ AWDResult AWD_CALL awdNewDensity(AWDDevice device, const AWDDensityDesc* desc,
       const char* name = known.axes ? known.axes[a].basis : nullptr;
       families[a] = &owner.registry().find(name ? name : defaultBasis(known.structure));
     }
-    const DensitySettings settings = settle(known, families);
+    DensitySettings settings = settle(known, families);
+    if (settings.learning.estimator == AWD_ESTIMATOR_REFIT) {
+      settings.learning.refitter.solver = &findSolver(&owner, known.refitSolver);
+    }
     Ref<Context> context = owner.shareContext();
     Ref<DensityBases> bases = compileBases(context->memory(), settings, families);
+    fitRefitBytes(*bases, settings);
     give(density, Density::make(std::move(context), std::move(bases), settings));
   });
 }
@@ -312,8 +323,8 @@ AWDResult AWD_CALL awdLoadDensity(AWDDevice device, const void* bytes, size_t si
   return guard(__func__, [&] {
     clearOutput(density, "density");
     Device& owner = object(device, "device");
-    give(density,
-         Density::load(owner.shareContext(), need(bytes, "bytes"), size, findFamily, &owner));
+    give(density, Density::load(owner.shareContext(), need(bytes, "bytes"), size,
+                                {&owner, findFamily, findSolver}));
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "api/handles.h"
 #include "basis/device.h"
+#include "density/refit_solvers.h"
 #include "guide/field.h"
 
 using namespace awd;
@@ -32,6 +33,19 @@ void checkUniforms(const double uniforms[3]) {
   }
 }
 
+/// What all estimators but `paper` go by.
+void checkPlace(const AWDDirectionSample& sample) {
+  const float* at = sample.square;
+  if (!(at[0] >= 0.0f && at[0] <= 1.0f && at[1] >= 0.0f && at[1] <= 1.0f)) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "sample->square is (%g, %g): the sample must come from awdSampleField", at[0], at[1]);
+  }
+  if (!(sample.pdf >= 0.0f && std::isfinite(sample.pdf))) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "sample->pdf is %g: the sample must come from awdSampleField",
+         sample.pdf);
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -44,7 +58,12 @@ AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
     AWDFieldDesc known = AWD_FIELD_DESC_INIT;
     if (desc) known = readStruct(desc, "desc", "AWD_FIELD_DESC_INIT");
     const AWDBasisFamily& family = owner.registry().find(known.basis ? known.basis : "haar");
-    give(field, Field::make(owner.shareContext(), family, settle(known, family)));
+    FieldSettings settings = settle(known, family);
+    if (settings.learning.estimator == AWD_ESTIMATOR_REFIT) {
+      settings.learning.refitter.solver =
+          &findRefitSolver(refitFolders(owner.registry().ignoresEnvironment()), known.refitSolver);
+    }
+    give(field, Field::make(owner.shareContext(), family, settings));
   });
 }
 
@@ -82,7 +101,9 @@ AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch, const AWDDirec
       fail(AWD_ERROR_INVALID_ARGUMENT,
            "sample->solidAngle is %g: the sample must come from awdSampleField", known.solidAngle);
     }
-    object(field, "field").record(patch, known, value);
+    Field& into = object(field, "field");
+    if (into.settings().learning.estimator != AWD_ESTIMATOR_PAPER) checkPlace(known);
+    into.record(patch, known, value);
   });
 }
 

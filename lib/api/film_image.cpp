@@ -23,6 +23,21 @@ const char* nameOf(const FieldSettings& settings) {
   return settings.map == AWD_MAP_SPHERICAL ? "spherical" : "concentric-cosine";
 }
 
+const char* nameOfEstimator(const Field& field) {
+  switch (field.settings().learning.estimator) {
+    case AWD_ESTIMATOR_MIXTURE:
+      return "mixture";
+    case AWD_ESTIMATOR_RATIO:
+      return "ratio";
+    case AWD_ESTIMATOR_QUASI:
+      return "quasi";
+    case AWD_ESTIMATOR_REFIT:
+      return "refit";
+    default:
+      return "paper";
+  }
+}
+
 std::string version() {
   return std::to_string(AWD_VERSION_MAJOR) + "." + std::to_string(AWD_VERSION_MINOR) + "." +
          std::to_string(AWD_VERSION_PATCH);
@@ -44,6 +59,7 @@ void describe(const Render& render, Image& image) {
     const Field& field = *render.field();
     image.setMetadata("awd.basis", field.family().name());
     image.setMetadata("awd.map", nameOf(field.settings()));
+    image.setMetadata("awd.estimator", nameOfEstimator(field));
     image.setMetadata("awd.maxLevel", std::to_string(field.settings().maxLevel));
   }
 }

@@ -2,16 +2,15 @@
 #include "basis/registry.h"
 
 #include <dirent.h>
-#include <sys/auxv.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <tuple>
 
+#include "basis/environment_folders.h"
 #include "basis/library_folder.h"
 #include "basis/module.h"
 #include "basis/self_test.h"
@@ -21,19 +20,6 @@ namespace awd {
 namespace {
 
 std::string nameOf(const AWDBasisFamily& family) { return printable(family.name, kLongestName); }
-
-/// The entries of $AWD_BASIS_PATH.
-std::vector<std::string> environmentFolders() {
-  std::vector<std::string> folders;
-  const char* variable = getauxval(AT_SECURE) ? nullptr : std::getenv("AWD_BASIS_PATH");
-  std::string_view rest = variable ? variable : "";
-  while (!rest.empty()) {
-    const std::string_view entry = rest.substr(0, rest.find(':'));
-    if (!entry.empty()) folders.emplace_back(entry);
-    rest.remove_prefix(std::min(rest.size(), entry.size() + 1));
-  }
-  return folders;
-}
 
 }  // namespace
 
@@ -126,7 +112,9 @@ void Registry::search() {
   folders_.clear();
   for (const std::string& path : given_) folders_.push_back(searchFolder(path));
   if (!ignoreEnvironment_) {
-    for (const std::string& path : environmentFolders()) folders_.push_back(searchFolder(path));
+    for (const std::string& path : environmentFolders("AWD_BASIS_PATH")) {
+      folders_.push_back(searchFolder(path));
+    }
   }
   const std::string own = libraryFolder();
   if (!own.empty()) folders_.push_back(searchFolder(own + "/" AWD_MODULE_FOLDER));

@@ -23,6 +23,8 @@ class Registry {
   Registry(Context& context, std::vector<std::string> folders, bool ignoreEnvironment);
   ~Registry();
 
+  bool ignoresEnvironment() const { return ignoreEnvironment_; }
+
   /// The family of that name; looks for modules when there is none and that has not been done.
   /// AWD_ERROR_UNSUPPORTED with the names there are, the paths tried and the candidates refused if
   /// there is none.

@@ -3,55 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "basis/bernstein.h"
 
 namespace awd {
 
-namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-/// Newton's method for integral(t) = target, kept within a shrinking bracket. `total` is the
-/// integral up to 1.
-template <class Integral, class Density>
-double newton(double t, double target, double total, Integral&& integral, Density&& density) {
-  double low = 0.0;
-  double high = 1.0;
-  for (int i = 0; i < 100; ++i) {
-    const double miss = integral(t) - target;
-    if (std::abs(miss) <= 4.0 * kEpsilon * total) break;
-    (miss > 0.0 ? high : low) = t;
-    double next = t - miss / density(t);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - t) <= kEpsilon * t) break;
-    t = next;
-  }
-  return t;
-}
-
-}  // namespace
-
-double invertQuadraticCdf(double b0, double b1, double b2, double u) {
-  const double total = (b0 + b1 + b2) * (1.0 / 3.0);
-  const double target = u * total;
-  const double c1 = b1 - b0;
-  const double c2 = (b2 - b1) - c1;
-  const double third = c2 * (1.0 / 3.0);
-  const auto integral = [=](double t) { return t * (b0 + t * (c1 + t * third)); };
-  const auto density = [=](double t) { return b0 + t * (2.0 * c1 + t * c2); };
-  // Two steps of Halley's method from the straight line between the ends, which leave rounding only
-  // unless the density is much bent; then Newton's method takes over.
-  const double start = b0 + b2 > 0.0 ? invertLinearCdf(b0, b2, u) : u;
-  double t = start;
-  for (int i = 0; i < 2; ++i) {
-    const double miss = integral(t) - target;
-    const double slope = density(t);
-    t -= miss * slope / (slope * slope - miss * (c1 + t * c2));
-  }
-  if (!(t >= 0.0 && t <= 1.0)) t = start;
-  return newton(t, target, total, integral, density);
+double fitIntoCell(const BasisLevel& level, uint32_t cell, double x) {
+  const double inside = clampIntoCell<double>(level, cell, x);
+  const bool begins = level.order > 1 && !(inside * level.cells - cell > 0.0);
+  return begins ? std::nextafter(inside, 1.0) : inside;
 }
 
 double invertPolynomialCdf(const double* b, uint32_t order, double u) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "basis/family.h"
+#include "density/parabola.h"
 
 namespace awd {
 
@@ -82,6 +83,17 @@ inline void evaluateAxis(const BasisLevel& level, double x, AxisValues& values) 
   }
 }
 
+/// Whether the functions alive on a cell, k = 0, 1, .., are its Bernstein polynomials k.
+inline bool hasBernsteinPieces(const BasisLevel& level) {
+  if (level.alive != level.order) return false;
+  for (std::size_t row = 0; row < level.functions.size(); ++row) {
+    for (uint32_t o = 0; o < level.order; ++o) {
+      if (level.pieces[row * level.order + o] != (row % level.order == o ? 1.0 : 0.0)) return false;
+    }
+  }
+  return true;
+}
+
 /// x as a float or double that lies in `cell`, which rounding may have made it leave, and below 1.
 template <class Real>
 inline Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
@@ -92,6 +104,15 @@ inline Real clampIntoCell(const BasisLevel& level, uint32_t cell, double x) {
   return rounded;
 }
 
+/// Whether a place is one of a cell, not beyond it, nor, for polynomials that may be 0 there, at
+/// its beginning. Without `&&`, which is a branch.
+inline bool insideCell(uint32_t order, double t) {
+  return (order > 1 ? t > 0.0 : t >= 0.0) & (t < 1.0);
+}
+
+/// x again if rounding has carried it out of a cell, so that its place there is insideCell().
+double fitIntoCell(const BasisLevel& level, uint32_t cell, double x);
+
 /// x ~ p_j = N_j / w_j from one uniform in [0,1), as a float or double that lies in the cell that
 /// was drawn (eq. 3; the piece by its mass, then the inverse CDF of the polynomial in it).
 template <class Real>
@@ -101,14 +122,19 @@ Real sampleComponent(const BasisLevel& level, uint32_t j, double uniform);
 constexpr double kLeastUniform = 0x1p-54;
 
 /// The straight line through b0 at 0 and b1 at 1: u (b0 + b1) / (b0 + sqrt((1-u) b0^2 + u b1^2)),
-/// without cancellation at any slope. Not both are 0.
+/// without cancellation at any slope. Not both are 0. Of numbers whose squares are 0 as doubles it
+/// may be 1, which is no zero of the density.
 inline double invertLinearCdf(double b0, double b1, double u) {
-  const double divisor = b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1);
-  return divisor > 0.0 ? std::min(u * (b0 + b1) / divisor, 1.0) : 0.0;
+  const double t = u * (b0 + b1) / (b0 + std::sqrt((1.0 - u) * b0 * b0 + u * b1 * b1));
+  return t < 1.0 ? t : 1.0;
 }
 
 /// The parabola of these three Bernstein coefficients, not all 0.
-double invertQuadraticCdf(double b0, double b1, double b2, double u);
+inline double invertQuadraticCdf(double b0, double b1, double b2, double u) {
+  const ParabolaCdf cdf(b0, b1, b2, u);
+  const double guess = cdf.guess();
+  return cdf.solvedBy(guess) ? guess : cdf.solve();
+}
 
 /// Solves F(t) = u F(1) for t in [0,1], F the integral of a non-negative polynomial with F(1) > 0
 /// given by its Bernstein coefficients. Closed forms up to degree 1, then Newton's method kept

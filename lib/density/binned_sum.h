@@ -77,7 +77,12 @@ class BinnedSum {
   bool zero() const { return bins_[0] == 0 && bins_[1] == 0 && bins_[2] == 0; }
   /// The sum, rounded to a double once.
   Scaled scaled() const;
-  /// The same with 64 bits of mantissa.
+  /// The sum times 2^-exponent.
+  double plain(int exponent) const {
+    const Scaled sum = scaled();
+    return std::ldexp(sum.value, sum.exponent - exponent);
+  }
+  /// The sum with 64 bits of mantissa.
   long double value() const;
 
   const int64_t* bins() const { return bins_; }

@@ -23,7 +23,8 @@ Density::Density(Ref<Context> context, Ref<DensityBases> bases, const DensitySet
       settings_(settings),
       levels_(settings.startLevel),
       statistics_(nullptr, {context_->memory()}),
-      passes_(context_->memory(), settings.combination) {}
+      passes_(context_->memory(), settings.combination),
+      refitMessage_(context_->memory()) {}
 
 Ref<Density> Density::make(Ref<Context> context, Ref<DensityBases> bases,
                            const DensitySettings& settings) {
@@ -76,7 +77,14 @@ Model Density::treeModel(Tree tree, Coefficients coefficients, Scale scale) cons
 Owned<DensityStatistics> Density::freshStatistics(const Model& model, std::size_t earlier) const {
   const std::size_t boxes = model.tree ? model.leaves() * (dimensions() + 1) : 0;
   return makeOwned<DensityStatistics>(memory(), memory(), model.coefficients().size(), boxes,
-                                      earlier);
+                                      earlier, patternOf(model), model.leaves());
+}
+
+Ref<NormalPattern> Density::patternOf(const Model& model) const {
+  if (settings_.learning.estimator != AWD_ESTIMATOR_REFIT) return {};
+  const BasisLevel* const* levels = model.grid ? model.grid->levels() : model.tree->levels();
+  if (statistics_ && statistics_->normal.pattern->isOf(levels)) return statistics_->normal.pattern;
+  return NormalPattern::make(memory(), levels, dimensions());
 }
 
 void Density::become(Model model, const Levels& levels) {
@@ -155,18 +163,25 @@ AWDDensityReport Density::adapt() {
   const PassSums& sums = statistics_->sums;
   const uint64_t next = std::max(settings_.passSamples, 2 * sums.samples);
   LearningReport made;
+  Progress progress(*context_, "adapt", this, 1);
+  LearningSettings learning = settings_.learning;
+  learning.refitter.user = &progress;
+  learning.refitter.progress = [](void* user, double fraction) -> int32_t {
+    auto* told = static_cast<Progress*>(user);
+    told->report(fraction);
+    return !told->cancelled();
+  };
   Model model = model_;
   Levels levels = levels_;
   bool kept = true;
   if (sums.samples > sums.rejected && model_.grid) {
-    if (auto state = learnGrid(*bases_, settings_.learning, levels_, *statistics_, next, made)) {
+    if (auto state = learnGrid(*bases_, learning, levels_, *statistics_, next, made)) {
       model = gridModel(state->levels, std::move(state->coefficients));
       levels = state->levels;
       kept = false;
     }
   } else if (sums.samples > sums.rejected) {
-    if (auto state =
-            learnTree(*bases_, settings_.learning, *model_.tree, *statistics_, next, made)) {
+    if (auto state = learnTree(*bases_, learning, *model_.tree, *statistics_, next, made)) {
       model = treeModel(std::move(state->tree), std::move(state->coefficients));
       kept = false;
     }
@@ -183,8 +198,14 @@ AWDDensityReport Density::adapt() {
     report.tau = made.tau;
     report.estimator = made.estimator;
     report.estimatedLevels = made.estimatedLevels;
+    report.refitStatus = made.refit.status;
+    report.refitIterations = made.refit.iterations;
+    report.refitAtBound = made.refit.atBound;
+    report.refitLambda = made.refit.lambda;
+    report.refitObjective = made.refit.objective;
   }
 
+  std::pmr::string message(made.refit.message, memory());
   Passes passes = passes_;
   passes.finish(sums, model_);
   Owned<DensityStatistics> fresh = freshStatistics(model, passes.kept().size());
@@ -195,6 +216,8 @@ AWDDensityReport Density::adapt() {
   statistics_ = std::move(fresh);
   model_ = std::move(model);
   levels_ = levels;
+  refitMessage_ = std::move(message);
+  report.refitMessage = refitMessage_.c_str();
   return report;
 }
 
@@ -212,8 +235,10 @@ void Density::refine(uint32_t axis) {
     if (axis != AWD_ALL_AXES && axis != a) continue;
     const uint32_t level = model.grid ? levels[a] : axisInfo(a).level;
     if (level >= learning.maxLevel[a]) {
-      fail(AWD_ERROR_INVALID_OPERATION,
-           "axis %u is at level %u, the highest that maxLevel and maxCoefficients allow", a, level);
+      fail(
+          AWD_ERROR_INVALID_OPERATION,
+          "axis %u is at level %u, the highest that maxLevel, maxCoefficients and refitBytes allow",
+          a, level);
     }
     if (model.grid) {
       Levels finer = levels;

@@ -24,10 +24,15 @@ class Density final : public RefCounted {
   static Ref<Density> make(Ref<Context> context, Ref<DensityBases> bases,
                            const DensitySettings& settings);
   static Ref<Density> fork(const Density& from);
-  /// From what bytesOf() wrote. find: gives the family of a name.
-  using FindFamily = const AWDBasisFamily& (*)(void* user, const char* name);
+  /// Who gives the families and solvers of these names.
+  struct Finders {
+    void* user;
+    const AWDBasisFamily& (*family)(void* user, const char* name);
+    const AWDRefitSolver& (*solver)(void* user, const char* name);
+  };
+  /// From what bytesOf() wrote.
   static Ref<Density> load(Ref<Context> context, const void* bytes, std::size_t size,
-                           FindFamily find, void* user);
+                           const Finders& find);
 
   const DensitySettings& settings() const { return settings_; }
   const DensityBases& bases() const { return *bases_; }
@@ -68,6 +73,8 @@ class Density final : public RefCounted {
                   Scale scale = Scale::toIntegral) const;
   Model treeModel(Tree tree, Coefficients coefficients, Scale scale = Scale::toIntegral) const;
   Owned<DensityStatistics> freshStatistics(const Model& model, std::size_t earlier) const;
+  /// That statistics of the model go by; null unless the estimator is refit.
+  Ref<NormalPattern> patternOf(const Model& model) const;
   /// Makes this the model, with no samples.
   void become(Model model, const Levels& levels);
   void needNoSamples(const char* what) const;
@@ -85,6 +92,7 @@ class Density final : public RefCounted {
   Passes passes_;
   uint64_t learned_ = 0;
   uint64_t adapts_ = 0;
+  std::pmr::string refitMessage_;  ///< of the last adapt
 };
 
 }  // namespace awd

@@ -2,10 +2,12 @@
 // A density and its statistics as bytes.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "density/density.h"
 #include "density/leaf_sampler.h"
+#include "density/refit_bytes.h"
 #include "density/statistics_bytes.h"
 #include "util/error.h"
 #include "util/random.h"
@@ -32,6 +34,10 @@ void putSettings(ByteWriter& writer, const DensitySettings& settings, const Dens
   writer.put(learning.shrinkage);
   writer.put(learning.maxCoefficients);
   writer.put(settings.passSamples);
+  writer.put(learning.refitShrinkage);
+  writer.put(learning.refitBytes);
+  const AWDRefitSolver* solver = learning.refitter.solver;
+  writer.putText(solver ? solver->name : "");
   for (uint32_t a = 0; a < settings.dimensions; ++a) {
     writer.putText(bases.family(a).name());
     writer.put(settings.startLevel[a]);
@@ -41,7 +47,7 @@ void putSettings(ByteWriter& writer, const DensitySettings& settings, const Dens
 }
 
 /// Settings, and the families that they name.
-DensitySettings getSettings(ByteReader& reader, Density::FindFamily find, void* user,
+DensitySettings getSettings(ByteReader& reader, const Density::Finders& find,
                             const AWDBasisFamily** families) {
   DensitySettings settings;
   LearningSettings& learning = settings.learning;
@@ -49,12 +55,18 @@ DensitySettings getSettings(ByteReader& reader, Density::FindFamily find, void* 
   settings.structure = reader.get<int32_t>(AWD_STRUCTURE_GRID, AWD_STRUCTURE_TREE);
   settings.sampler = reader.get<int32_t>(AWD_SAMPLER_INVERSE_CDF, AWD_SAMPLER_COMPONENT);
   settings.combination = reader.get<int32_t>(AWD_COMBINE_COUNT, AWD_COMBINE_CROSS_VARIANCE);
-  learning.estimator = reader.get<int32_t>(AWD_ESTIMATOR_DEFAULT, AWD_ESTIMATOR_QUASI);
+  learning.estimator = reader.get<int32_t>(AWD_ESTIMATOR_DEFAULT, AWD_ESTIMATOR_REFIT);
   learning.target = reader.get<int32_t>(AWD_TARGET_MEAN, AWD_TARGET_RMS);
   learning.tau = reader.get<double>();
   learning.shrinkage = reader.get<double>();
   learning.maxCoefficients = reader.get<uint64_t>(1, uint64_t{1} << 30);
   settings.passSamples = reader.get<uint64_t>();
+  learning.refitShrinkage = reader.get(-1.0, std::numeric_limits<double>::max());
+  learning.refitBytes = reader.get<uint64_t>();
+  const std::string solver(reader.getText(kLongestName));
+  if (learning.estimator == AWD_ESTIMATOR_REFIT) {
+    learning.refitter.solver = &find.solver(find.user, solver.c_str());
+  }
   const bool tree = settings.structure == AWD_STRUCTURE_TREE;
   const bool paper = learning.estimator == AWD_ESTIMATOR_PAPER;
   const bool component = settings.sampler == AWD_SAMPLER_COMPONENT;
@@ -65,7 +77,7 @@ DensitySettings getSettings(ByteReader& reader, Density::FindFamily find, void* 
   uint64_t size = 1;
   for (uint32_t a = 0; a < settings.dimensions; ++a) {
     const std::string name(reader.getText(kLongestName));
-    const AWDBasisFamily& family = find(user, name.c_str());
+    const AWDBasisFamily& family = find.family(find.user, name.c_str());
     families[a] = &family;
     if (tree && !(family.flags & AWD_BASIS_NESTED)) reader.damaged();
     const uint32_t least = tree ? 0 : family.minLevel;
@@ -148,6 +160,7 @@ uint64_t Density::layout() const {
   mix(static_cast<uint64_t>(settings_.structure));
   mix(static_cast<uint64_t>(settings_.learning.target));
   mix(settings_.learning.estimator == AWD_ESTIMATOR_PAPER);
+  mix(settings_.learning.estimator == AWD_ESTIMATOR_REFIT);
   mix(passes_.kept().size());
   for (uint32_t a = 0; a < settings_.dimensions; ++a) {
     for (const char c : bases_->family(a).name()) mix(static_cast<unsigned char>(c));
@@ -170,7 +183,7 @@ void Density::takeStatistics(const void* bytes, std::size_t size, bool instead) 
   ByteReader reader(bytes, size, kStatisticsMagic, kVersion, "statistics of a density");
   if (reader.get<uint64_t>() != layout()) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
-         "bytes are statistics of a density of other bases, levels, boxes or target");
+         "bytes are statistics of a density of other bases, levels, boxes, target or estimator");
   }
   Owned<DensityStatistics> taken = freshStatistics(model_, passes_.kept().size());
   get(reader, *taken);
@@ -235,11 +248,11 @@ std::pmr::vector<char> Density::bytesOf() const {
 }
 
 Ref<Density> Density::load(Ref<Context> context, const void* bytes, std::size_t size,
-                           FindFamily find, void* user) {
+                           const Finders& find) {
   std::pmr::memory_resource* memory = context->memory();
   ByteReader reader(bytes, size, kDensityMagic, kVersion, "a saved density");
   const AWDBasisFamily* families[kMaxDimensions];
-  const DensitySettings settings = getSettings(reader, find, user, families);
+  const DensitySettings settings = getSettings(reader, find, families);
   Ref<DensityBases> bases = compileBases(memory, settings, families);
   Ref<Density> density = Ref<Density>::adopt(
       awd::make<Density>(memory, std::move(context), std::move(bases), settings));
@@ -272,6 +285,11 @@ Ref<Density> Density::load(Ref<Context> context, const void* bytes, std::size_t 
   Levels levels{};
   if (model.grid) {
     for (uint32_t a = 0; a < settings.dimensions; ++a) levels[a] = model.grid->levels()[a]->level;
+  }
+  if (settings.learning.estimator == AWD_ESTIMATOR_REFIT &&
+      refitBytes(density->bases(), levels) * static_cast<double>(model.leaves()) >
+          2.0 * static_cast<double>(reader.remaining())) {
+    reader.damaged();  // sums that are not there
   }
   density->become(std::move(model), levels);
   get(reader, *density->statistics_);

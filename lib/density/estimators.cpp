@@ -15,30 +15,41 @@ constexpr double kMostTau = 0.3;
 /// The cascade has filled the empty cells already: a higher floor costs more than it insures.
 constexpr double kMostTauOfCascade = 0.1;
 
-/// Numbers of the sums in units of the power of two above the largest.
+/// Exponent of the power of two above the largest of the sums.
 template <class Pick>
-Coefficients commonScale(std::pmr::memory_resource* memory, const std::pmr::vector<Tally>& tallies,
-                         Pick&& pick) {
+int largestExponent(const std::pmr::vector<Tally>& tallies, Pick&& pick) {
   int largest = std::numeric_limits<int>::min();
   for (const Tally& tally : tallies) {
     const Scaled sum = pick(tally).scaled();
     if (sum.value > 0.0) largest = std::max(largest, sum.exponent);
   }
+  return largest == std::numeric_limits<int>::min() ? 0 : largest;
+}
+
+/// Numbers of the sums times 2^-exponent.
+template <class Pick>
+Coefficients plain(std::pmr::memory_resource* memory, const std::pmr::vector<Tally>& tallies,
+                   int exponent, Pick&& pick) {
   Coefficients out(tallies.size(), 0.0, memory);
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     const Scaled sum = pick(tallies[i]).scaled();
-    if (sum.value > 0.0) out[i] = std::ldexp(sum.value, sum.exponent - largest);
+    if (sum.value > 0.0) out[i] = std::ldexp(sum.value, sum.exponent - exponent);
   }
   return out;
 }
+
+const BinnedSum& valueOf(const Tally& tally) { return tally.value; }
+const BinnedSum& weightOf(const Tally& tally) { return tally.weight; }
 
 }  // namespace
 
 LevelSums::LevelSums(std::pmr::memory_resource* memory, const Shape& levelShape,
                      const std::pmr::vector<Tally>& tallies)
     : shape(levelShape),
-      value(commonScale(memory, tallies, [](const Tally& t) { return t.value; })),
-      weight(commonScale(memory, tallies, [](const Tally& t) { return t.weight; })),
+      valueExponent(largestExponent(tallies, valueOf)),
+      weightExponent(largestExponent(tallies, weightOf)),
+      value(plain(memory, tallies, valueExponent, valueOf)),
+      weight(plain(memory, tallies, weightExponent, weightOf)),
       count(tallies.size(), 0.0, memory) {
   for (std::size_t i = 0; i < tallies.size(); ++i) count[i] = tallies[i].count();
 }

@@ -20,6 +20,7 @@ struct LevelSums {
             const std::pmr::vector<Tally>& tallies);
 
   Shape shape;
+  int valueExponent, weightExponent;  ///< of the powers of two
   Coefficients value, weight, count;
 
   /// The same along `axis` of the next coarser level: N_coarse = P^T N_fine holds at every sample.
@@ -35,6 +36,11 @@ Coefficients localMeans(const BasisLevel* const* levels, const LevelSums& sums,
 /// The dual: c with G c = b, b_j = w_j r_j, on all axes.
 void project(const DensityBases& bases, const Levels& levels, const Shape& shape,
              Coefficients& means);
+
+/// Whether the estimator goes by the cascade over the levels.
+constexpr bool shrinks(AWDEstimator estimator) {
+  return estimator == AWD_ESTIMATOR_QUASI || estimator == AWD_ESTIMATOR_REFIT;
+}
 
 /// tau as it was asked for or else for m samples and n coefficients; 0: no floor.
 double settleTau(double asked, AWDEstimator estimator, bool smooth, bool cascade, double samples,

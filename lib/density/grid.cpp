@@ -18,7 +18,9 @@ Ref<GridDensity> GridDensity::make(std::pmr::memory_resource* memory,
 GridDensity::GridDensity(std::pmr::memory_resource* memory, const BasisLevel* const* levels,
                          uint32_t dimensions, AWDSampler sampler, Coefficients coefficients,
                          Scale scale)
-    : shape_(shapeOf(levels, dimensions)), coefficients_(std::move(coefficients)) {
+    : shape_(shapeOf(levels, dimensions)),
+      order_(commonOrder(levels, dimensions)),
+      coefficients_(std::move(coefficients)) {
   std::copy(levels, levels + dimensions, levels_);
   for (uint32_t a = 0; a < dimensions; ++a) strides_[a] = shape_.stride(a);
   if (scale == Scale::toIntegral) normalise();
@@ -44,12 +46,14 @@ void GridDensity::normalise() {
 
 void GridDensity::pdf(std::size_t count, const double* points, double* pdfs) const {
   withDimensions(shape_.dimensions, [&](auto dimensions) {
-    constexpr uint32_t d = dimensions;
-    AxisValues at[d];
-    for (std::size_t i = 0; i < count; ++i, points += d) {
-      evaluatePoint<d>(levels_, points, at);
-      pdfs[i] = contract<d>(coefficients_.data(), strides_, at);
-    }
+    withOrder(order_, [&](auto order) {
+      constexpr uint32_t d = dimensions;
+      AxisValues at[d];
+      for (std::size_t i = 0; i < count; ++i, points += d) {
+        evaluatePoint<d, order>(levels_, points, at);
+        pdfs[i] = contract<d, order>(coefficients_.data(), strides_, at);
+      }
+    });
   });
 }
 
@@ -57,23 +61,21 @@ void GridDensity::sample(std::size_t count, const double* uniforms, double* poin
                          uint32_t* components) const {
   withDimensions(shape_.dimensions, [&](auto dimensions) {
     constexpr uint32_t d = dimensions;
-    AxisValues at[d];
-    for (std::size_t i = 0; i < count; ++i, points += d) {
-      if (component_) {
-        const std::size_t component = component_->choose(*uniforms++);
-        for (uint32_t a = 0; a < d; ++a) {
-          const std::size_t j = component / strides_[a] % shape_.count[a];
-          points[a] = sampleComponent<double>(*levels_[a], static_cast<uint32_t>(j), *uniforms++);
-        }
-        if (pdfs) evaluatePoint<d>(levels_, points, at);
-        if (components) components[i] = static_cast<uint32_t>(component);
-      } else {
-        inverse_->sample<d>(coefficients_, uniforms, points, at);
-        uniforms += d;
-        if (components) components[i] = AWD_INVALID_ID;
-      }
-      if (pdfs) pdfs[i] = contract<d>(coefficients_.data(), strides_, at);
+    if (inverse_) {
+      inverse_->sample<d>(coefficients_, count, uniforms, points, pdfs);
+      if (components) std::fill(components, components + count, AWD_INVALID_ID);
+      return;
     }
+    double* point = points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t component = component_->choose(*uniforms++);
+      for (uint32_t a = 0; a < d; ++a) {
+        const std::size_t j = component / strides_[a] % shape_.count[a];
+        *point++ = sampleComponent<double>(*levels_[a], static_cast<uint32_t>(j), *uniforms++);
+      }
+      if (components) components[i] = static_cast<uint32_t>(component);
+    }
+    if (pdfs) pdf(count, points, pdfs);
   });
 }
 
@@ -95,6 +97,7 @@ void GridDensity::record(std::size_t count, const double* points, const double* 
       }
       const WeighedSample sample(usable ? values[i] : 0.0, p, target);
       statistics.sums.add(sample);
+      if (statistics.normal.pattern) statistics.normal.add<d>(0, points, at, sample);
       if (components) {
         Tally& tally = tallies[components[i]];
         tally.value.add(sample.target.value, sample.target.exponent);

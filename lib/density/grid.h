@@ -50,6 +50,7 @@ class GridDensity final : public RefCounted {
   const BasisLevel* levels_[kMaxDimensions] = {};
   Shape shape_;
   std::size_t strides_[kMaxDimensions] = {};
+  uint32_t order_;  ///< commonOrder() of the axes
   Coefficients coefficients_;
   std::optional<InverseCdf> inverse_;  ///< one of the two, as the sampler has it
   std::optional<ComponentTable> component_;

@@ -99,6 +99,42 @@ class Cascade {
   const LearningSettings& settings_;
 };
 
+/// The refit on the level that was recorded, pulled towards the cascade; zeros if that is of no
+/// use.
+Coefficients refitGrid(const DensityBases& bases, const LearningSettings& settings,
+                       const Levels& levels, const LevelSums& sums,
+                       const DensityStatistics& statistics, LearningReport& report) {
+  const auto samples = static_cast<double>(statistics.sums.samples);
+  const auto n = static_cast<double>(sums.shape.size());
+  Levels reached = levels;
+  Coefficients prior = Cascade(bases, settings).run(sums, samples, reached, report.estimatedLevels);
+  prior = refineTo(bases, reached, levels, prior);
+  const double mean = meanOf(bases, levels, prior);
+  if (!(mean > 0.0) || !std::isfinite(mean)) return {prior.size(), 0.0, prior.get_allocator()};
+
+  const double tau = settleTau(settings.tau, report.estimator, !bases.constant(),
+                               settings.shrinkage > 0.0, samples, n);
+  double least = tau * mean;
+  if (settings.target == AWD_TARGET_RMS) {  // what is fitted is f^2
+    least *= least;
+    for (double& c : prior) c *= c;
+  }
+  const BasisLevel* tables[kMaxDimensions];
+  bases.tables(levels, tables);
+  Coefficients weights(prior.size(), 1.0, prior.get_allocator());
+  timesWeights(tables, sums.shape, weights);
+  NormalEquations equations(prior.get_allocator().resource());
+  equations.takeMatrix(*statistics.normal.pattern, statistics.normal.products, sums.weightExponent);
+  equations.rhs = sums.value;
+  equations.energy = statistics.normal.energy.plain(2 * sums.valueExponent - sums.weightExponent);
+  Coefficients c = refit(settings.refitter, equations, {prior, weights, least},
+                         settings.refitShrinkage, samples, report.refit);
+  if (settings.target == AWD_TARGET_RMS) {
+    for (double& value : c) value = std::sqrt(value);
+  }
+  return c;
+}
+
 }  // namespace
 
 Coefficients refineTo(const DensityBases& bases, Levels from, const Levels& to,
@@ -157,6 +193,9 @@ std::optional<GridState> learnGrid(const DensityBases& bases, const LearningSett
       report.estimatedLevels = 1;
     }
     next = levelsFor(bases, settings, state.levels, nextSamples);
+  } else if (report.estimator == AWD_ESTIMATOR_REFIT) {
+    state.coefficients = refitGrid(bases, settings, levels, sums, statistics, report);
+    next = levelsFor(bases, settings, levels, nextSamples);
   } else {
     const BasisLevel* tables[kMaxDimensions];
     bases.tables(levels, tables);
@@ -175,8 +214,8 @@ std::optional<GridState> learnGrid(const DensityBases& bases, const LearningSett
   const double mean = meanOf(bases, state.levels, state.coefficients);
   if (!(mean > 0.0) || !std::isfinite(mean)) return std::nullopt;
   report.tau = settleTau(settings.tau, report.estimator, !bases.constant(),
-                         report.estimator == AWD_ESTIMATOR_QUASI && settings.shrinkage > 0.0,
-                         samples, static_cast<double>(state.coefficients.size()));
+                         shrinks(report.estimator) && settings.shrinkage > 0.0, samples,
+                         static_cast<double>(state.coefficients.size()));
   report.negative = clampCoefficients(report.tau, mean, state.coefficients);
   state.coefficients = refineTo(bases, state.levels, next, state.coefficients);
   state.levels = next;

@@ -19,13 +19,43 @@ Coefficients cellMasses(std::pmr::memory_resource* memory, const BasisLevel& lev
   return masses;
 }
 
+/// The largest power of two that is not larger.
+uint32_t powerBelow(uint32_t number) {
+  uint32_t power = 1;
+  while (power <= number / 2) power *= 2;
+  return power;
+}
+
+/// The first cell up to whose end there is more mass than the target, without branches but for the
+/// loop's. If there is none, as uniform * total was rounded up to total, the last cell of any mass;
+/// the target becomes its end then.
+template <class MassUpTo>
+inline uint32_t findCell(uint32_t cells, uint32_t power, double& target, const MassUpTo& massUpTo) {
+  // Either the first or the last `power` of the cells, which is then halved.
+  uint32_t cell = 0;
+  if (cells > power) cell = massUpTo(cells - power - 1) <= target ? cells - power : 0;
+  for (uint32_t half = power / 2; half > 0; half /= 2) {
+    cell += massUpTo(cell + half - 1) <= target ? half : 0;
+  }
+  if (cell + 1 == cells && massUpTo(cell) <= target) {
+    while (cell > 0 && massUpTo(cell) <= massUpTo(cell - 1)) --cell;
+    target = massUpTo(cell);
+  }
+  return cell;
+}
+
+/// What is left of a uniform within the cell that was drawn: 0 to 1. A uniform of 0 stands for
+/// those up to 2^-53, to which it is added if it matters.
+inline double uniformWithin(uint32_t order, double target, double before, double upTo) {
+  return (target - before) / (upTo - before) + (order == 1 ? 0.0 : kLeastUniform);
+}
+
 /// A coordinate along an axis from the blend of rows, those of the functions alive at the
-/// coordinates before, and its cell. R: how many rows, or 0 to take rowCount. O: the order, if as
-/// many functions are alive on every cell, or 0 to look both up.
-template <std::size_t R, uint32_t O>
+/// coordinates before, and its cell. O: the order, if as many functions are alive on every cell, or
+/// 0 to look both up. The block below does the same.
+template <uint32_t O>
 double draw(const BasisLevel& level, const double* prefix, const double* marginal,
-            const BlendedRow* rows, std::size_t rowCount, double uniform, uint32_t& cell) {
-  const std::size_t count = R > 0 ? R : rowCount;
+            const BlendedRow* rows, std::size_t count, double uniform, uint32_t& cell) {
   const uint32_t order = O > 0 ? O : level.order;
   const uint32_t alive = O > 0 ? O : level.alive;
   const uint32_t cells = level.cells;
@@ -36,22 +66,10 @@ double draw(const BasisLevel& level, const double* prefix, const double* margina
     }
     return mass;
   };
-  const double target = uniform * massUpTo(cells - 1);
-  // The first cell up to whose end there is more mass than the target, without branches.
-  cell = 0;
-  for (uint32_t span = cells; span > 1;) {
-    const uint32_t half = span / 2;
-    cell += massUpTo(cell + half - 1) <= target ? half : 0;
-    span -= half;
-  }
-  double upTo = massUpTo(cell);
-  double before = cell > 0 ? massUpTo(cell - 1) : 0.0;
-  while (upTo <= before && cell > 0) {
-    // uniform * total was rounded up to total: back to a cell of any mass.
-    upTo = before;
-    before = --cell > 0 ? massUpTo(cell - 1) : 0.0;
-  }
-  double t = std::min(std::max((target - before) / (upTo - before), 0.0), 1.0);
+  double target = uniform * massUpTo(cells - 1);
+  cell = findCell(cells, powerBelow(cells), target, massUpTo);
+  const double before = cell > 0 ? massUpTo(cell - 1) : 0.0;
+  double t = uniformWithin(order, target, before, massUpTo(cell));
   if (order > 1) {
     double b[O > 0 ? O : AWD_BASIS_MAX_ORDER] = {0.0};
     const std::size_t first = std::size_t{cell} * alive;
@@ -63,35 +81,99 @@ double draw(const BasisLevel& level, const double* prefix, const double* margina
       const double* piece = &level.pieces[(first + k) * order];
       for (uint32_t o = 0; o < order; ++o) b[o] += c * piece[o];
     }
-    const double u = std::max(t, kLeastUniform);
-    if constexpr (O == 2) {
-      t = invertLinearCdf(b[0], b[1], u);
-    } else if constexpr (O == 3) {
-      t = invertQuadraticCdf(b[0], b[1], b[2], u);
-    } else {
-      t = invertPolynomialCdf(b, order, u);
-    }
+    t = invertPolynomialCdf(b, order, t);
   }
-  return clampIntoCell<double>(level, cell, (cell + t) / cells);
+  const double x = (cell + t) * (1.0 / cells);
+  return insideCell(order, x * cells - cell) ? x : fitIntoCell(level, cell, x);
 }
 
-/// Rows of the last of D axes, if that many are worth unrolling; else 0.
-constexpr std::size_t unrolledRows(uint32_t axis, uint32_t alive) {
-  std::size_t rows = 1;
-  for (uint32_t a = 0; a < axis; ++a) rows *= alive;
-  return alive > 0 && rows <= 9 ? rows : 0;
+/// Draws the cells of a block, and what is left of the uniforms; those of samples are `stride`
+/// apart.
+template <uint32_t O, std::size_t R, std::size_t N>
+void findCells(const BasisLevel& level, const double* prefix, std::size_t count,
+               const double* uniforms, std::size_t stride, const BlockRows<R, N>& rows,
+               BlockAxis<O, N>& axis) {
+  const uint32_t cells = level.cells;
+  const uint32_t power = powerBelow(cells);
+  double target[N], before[N], upTo[N];
+  forEachSample<N>(count, [&](std::size_t i) {
+    const double* row[R];
+    double value[R];
+    for (std::size_t r = 0; r < R; ++r) {
+      row[r] = prefix + std::size_t{rows.index[r][i]} * cells;
+      value[r] = rows.value[r][i];
+    }
+    const auto massUpTo = [&](uint32_t end) {
+      double mass = value[0] * row[0][end];
+      for (std::size_t r = 1; r < R; ++r) mass += value[r] * row[r][end];
+      return mass;
+    };
+    target[i] = uniforms[i * stride] * massUpTo(cells - 1);
+    const uint32_t cell = findCell(cells, power, target[i], massUpTo);
+    axis.cell[i] = cell;
+    upTo[i] = massUpTo(cell);
+    before[i] = cell > 0 ? massUpTo(cell - 1) : 0.0;
+  });
+  forEachSample<N>(
+      count, [&](std::size_t i) { axis.u[i] = uniformWithin(O, target[i], before[i], upTo[i]); });
+}
+
+/// The coefficients of the functions alive on these cells.
+template <uint32_t O, std::size_t R, std::size_t N>
+void blendCoefficients(const BasisLevel& level, const double* marginal, std::size_t count,
+                       const BlockRows<R, N>& rows, BlockAxis<O, N>& axis) {
+  const uint32_t* alive = level.functions.data();
+  forEachSample<N>(count, [&](std::size_t i) {
+    const uint32_t* functions = alive + std::size_t{axis.cell[i]} * O;
+    const double* row[R];
+    for (std::size_t r = 0; r < R; ++r) {
+      row[r] = marginal + std::size_t{rows.index[r][i]} * level.count;
+    }
+    for (uint32_t k = 0; k < O; ++k) {
+      double c = rows.value[0][i] * row[0][functions[k]];
+      for (std::size_t r = 1; r < R; ++r) c += rows.value[r][i] * row[r][functions[k]];
+      axis.given[k][i] = c;
+    }
+  });
+}
+
+/// Coordinates from places in cells, and these places again as the coordinates have them.
+template <uint32_t O, std::size_t N>
+void placeInCells(const BasisLevel& level, std::size_t count, BlockAxis<O, N>& axis, double* x,
+                  std::size_t stride) {
+  const double size = 1.0 / level.cells;
+  const double cells = level.cells;
+  double drawn[N];
+  double outside = 0.0;
+  forEachSample<N>(count, [&](std::size_t i) {
+    const auto cell = static_cast<double>(static_cast<int32_t>(axis.cell[i]));
+    drawn[i] = (cell + axis.t[i]) * size;
+    axis.t[i] = drawn[i] * cells - cell;
+    outside += insideCell(O, axis.t[i]) ? 0.0 : 1.0;
+  });
+  if (outside > 0.0) {
+    forEachSample<N>(count, [&](std::size_t i) {
+      if (insideCell(O, axis.t[i])) return;
+      drawn[i] = fitIntoCell(level, axis.cell[i], drawn[i]);
+      axis.t[i] = drawn[i] * cells - axis.cell[i];
+    });
+  }
+  forEachSample<N>(count, [&](std::size_t i) { x[i * stride] = drawn[i]; });
 }
 
 }  // namespace
 
 InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* const* levels,
                        const Shape& shape, const Coefficients& coefficients)
-    : shape_(shape), marginals_(memory), prefixes_(memory) {
+    : shape_(shape),
+      order_(commonOrder(levels, shape.dimensions)),
+      marginals_(memory),
+      prefixes_(memory) {
   const uint32_t d = shape.dimensions;
   std::copy(levels, levels + d, levels_);
-  order_ = levels[0]->order;
   for (uint32_t a = 0; a < d; ++a) {
-    if (levels[a]->order != order_ || levels[a]->alive != order_) order_ = 0;
+    strides_[a] = shape.stride(a);
+    bernstein_[a] = hasBernsteinPieces(*levels[a]);
   }
   marginals_.resize(d - 1);
   prefixes_.resize(d);
@@ -127,9 +209,8 @@ void InverseCdf::sampleFrom(const Coefficients& coefficients, const double* unif
                             AxisValues* at) const {
   const BasisLevel& level = *levels_[A];
   const double* marginal = A + 1 < D ? marginals_[A].data() : coefficients.data();
-  const double* prefix = prefixes_[A].data();
   uint32_t cell;
-  x[A] = draw<unrolledRows(A, O), O>(level, prefix, marginal, rows, count, uniforms[A], cell);
+  x[A] = draw<O>(level, prefixes_[A].data(), marginal, rows, count, uniforms[A], cell);
   if constexpr (O > 0) {
     evaluateCell<O, O>(level, cell, x[A] * level.cells - cell, at[A]);
   } else {
@@ -143,6 +224,30 @@ void InverseCdf::sampleFrom(const Coefficients& coefficients, const double* unif
   }
 }
 
+template <uint32_t O, std::size_t R, std::size_t N>
+void InverseCdf::sampleBlock(uint32_t a, const Coefficients& coefficients, std::size_t count,
+                             const double* uniforms, const BlockRows<R, N>& rows, double* points,
+                             double* pdfs) const {
+  const uint32_t d = shape_.dimensions;
+  const BasisLevel& level = *levels_[a];
+  const double* marginal = a + 1 < d ? marginals_[a].data() : coefficients.data();
+  BlockAxis<O, N> axis;
+  findCells(level, prefixes_[a].data(), count, uniforms + a, d, rows, axis);
+  blendCoefficients(level, marginal, count, rows, axis);
+  if (!bernstein_[a]) sumPieces(level, count, axis);
+  invertBlock(count, bernstein_[a] ? axis.given : axis.bernstein, axis);
+  placeInCells(level, count, axis, points + a, d);
+  if (a + 1 == d) {
+    if (!pdfs) return;
+    evaluateBlock(level, bernstein_[a], count, axis);
+    contractBlock(count, axis, pdfs);
+  } else if constexpr (R * O <= kMostUnrolledRows) {
+    evaluateBlock(level, bernstein_[a], count, axis);
+    sampleBlock<O>(a + 1, coefficients, count, uniforms, blendBlock(level, count, axis, rows),
+                   points, pdfs);
+  }
+}
+
 template <uint32_t D>
 void InverseCdf::sampleAny(const Coefficients& coefficients, const double* uniforms, double* x,
                            AxisValues* at) const {
@@ -150,25 +255,39 @@ void InverseCdf::sampleAny(const Coefficients& coefficients, const double* unifo
   sampleFrom<D, 0, 0>(coefficients, uniforms, &row, 1, x, at);
 }
 
-template <uint32_t D>
-void InverseCdf::sample(const Coefficients& coefficients, const double* uniforms, double* x,
-                        AxisValues* at) const {
-  const BlendedRow row = {0, 1.0};
-  switch (order_) {
-    case 1:
-      return sampleFrom<D, 1, 0>(coefficients, uniforms, &row, 1, x, at);
-    case 2:
-      return sampleFrom<D, 2, 0>(coefficients, uniforms, &row, 1, x, at);
-    case 3:
-      return sampleFrom<D, 3, 0>(coefficients, uniforms, &row, 1, x, at);
-    default:
-      return sampleFrom<D, 0, 0>(coefficients, uniforms, &row, 1, x, at);
+template <uint32_t D, uint32_t O>
+void InverseCdf::sampleOfOrder(const Coefficients& coefficients, std::size_t count,
+                               const double* uniforms, double* points, double* pdfs) const {
+  if constexpr (unrolls(D, O)) {
+    if (count == 1) {
+      return sampleBlock<O>(0, coefficients, 1, uniforms, oneRow<1>(), points, pdfs);
+    }
+    const BlockRows<1, kBlock> rows = oneRow<kBlock>();
+    for (std::size_t done = 0; done < count; done += kBlock) {
+      sampleBlock<O>(0, coefficients, std::min(count - done, kBlock), uniforms + done * D, rows,
+                     points + done * D, pdfs ? pdfs + done : nullptr);
+    }
+  } else {
+    const BlendedRow row = {0, 1.0};
+    AxisValues at[D];
+    for (std::size_t i = 0; i < count; ++i) {
+      sampleFrom<D, O, 0>(coefficients, uniforms + i * D, &row, 1, points + i * D, at);
+      if (pdfs) pdfs[i] = contract<D, O>(coefficients.data(), strides_, at);
+    }
   }
 }
 
+template <uint32_t D>
+void InverseCdf::sample(const Coefficients& coefficients, std::size_t count, const double* uniforms,
+                        double* points, double* pdfs) const {
+  withOrder(order_, [&](auto order) {
+    sampleOfOrder<D, order>(coefficients, count, uniforms, points, pdfs);
+  });
+}
+
 #define AWD_INSTANTIATE(D)                                                                         \
-  template void InverseCdf::sample<D>(const Coefficients&, const double*, double*, AxisValues*)    \
-      const;                                                                                       \
+  template void InverseCdf::sample<D>(const Coefficients&, std::size_t, const double*, double*,    \
+                                      double*) const;                                              \
   template void InverseCdf::sampleAny<D>(const Coefficients&, const double*, double*, AxisValues*) \
       const;
 AWD_INSTANTIATE(1)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "density/blended_row.h"
+#include "density/block.h"
 #include "density/point.h"
 #include "density/tensor.h"
 
@@ -19,12 +20,14 @@ class InverseCdf {
   InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* const* levels, const Shape& shape,
              const Coefficients& coefficients);
 
-  /// A point from D uniforms in [0,1), and the functions alive at it; coefficients as before.
+  /// `count` points, each from D uniforms in [0,1), and if pdfs is not null p there, with the bits
+  /// of contract(); coefficients as before.
   template <uint32_t D>
-  void sample(const Coefficients& coefficients, const double* uniforms, double* x,
-              AxisValues* at) const;
+  void sample(const Coefficients& coefficients, std::size_t count, const double* uniforms,
+              double* points, double* pdfs) const;
 
-  /// The same in one way for all bases: what sample() is tested against, bit by bit.
+  /// A point in one way for all bases, and the functions alive at it: what sample() is tested
+  /// against, bit by bit.
   template <uint32_t D>
   void sampleAny(const Coefficients& coefficients, const double* uniforms, double* x,
                  AxisValues* at) const;
@@ -36,10 +39,20 @@ class InverseCdf {
   template <uint32_t D, uint32_t O, uint32_t A>
   void sampleFrom(const Coefficients& coefficients, const double* uniforms, const BlendedRow* rows,
                   std::size_t count, double* x, AxisValues* at) const;
+  /// The same from axis a on for a block of samples with R rows each.
+  template <uint32_t O, std::size_t R, std::size_t N>
+  void sampleBlock(uint32_t a, const Coefficients& coefficients, std::size_t count,
+                   const double* uniforms, const BlockRows<R, N>& rows, double* points,
+                   double* pdfs) const;
+  template <uint32_t D, uint32_t O>
+  void sampleOfOrder(const Coefficients& coefficients, std::size_t count, const double* uniforms,
+                     double* points, double* pdfs) const;
 
   const BasisLevel* levels_[kMaxDimensions] = {};
   Shape shape_;
-  uint32_t order_ = 0;  ///< of all axes, if as many functions are alive on every cell; else 0
+  std::size_t strides_[kMaxDimensions] = {};
+  uint32_t order_;                       ///< commonOrder()
+  bool bernstein_[kMaxDimensions] = {};  ///< hasBernsteinPieces()
   /// Axis a: coefficients of the marginal density of axes 0 .. a; the last axis needs none.
   std::pmr::vector<Coefficients> marginals_;
   /// Axis a: for each function of the axes before, the mass of its row up to the end of each cell.

@@ -4,6 +4,7 @@
 
 #include "awd/density.h"
 #include "density/bases.h"
+#include "density/refit.h"
 
 namespace awd {
 
@@ -11,9 +12,12 @@ namespace awd {
 struct LearningSettings {
   AWDEstimator estimator = AWD_ESTIMATOR_DEFAULT;
   AWDTarget target = AWD_TARGET_MEAN;
-  double tau = 0.0;        ///< 0: by samples; negative: none
-  double shrinkage = 0.0;  ///< kappa, 0: no cascade
-  Levels minLevel{};       ///< that it never goes below; in a tree: least halvings
+  double tau = 0.0;             ///< 0: by samples; negative: none
+  double shrinkage = 0.0;       ///< kappa, 0: no cascade
+  double refitShrinkage = 0.0;  ///< kappa of lambda, negative: by the noise
+  Refitter refitter;            ///< of the estimator refit
+  uint64_t refitBytes = 0;      ///< that its sums may take
+  Levels minLevel{};            ///< that it never goes below; in a tree: least halvings
   Levels maxLevel{};
   uint64_t maxCoefficients = 0;
 };
@@ -26,6 +30,7 @@ struct LearningReport {
   double tau = 0.0;
   AWDEstimator estimator = AWD_ESTIMATOR_DEFAULT;
   uint32_t estimatedLevels = 0;
+  RefitReport refit;
 };
 
 /// Coefficients n that `samples` can bear.

@@ -40,30 +40,4 @@ bool clampCoefficients(const BasisLevel& level, double tau,
   return true;
 }
 
-std::pmr::vector<double> refine(std::pmr::memory_resource* memory, const BasisLevel& coarse,
-                                const BasisLevel& fine,
-                                const std::pmr::vector<double>& coefficients) {
-  const std::size_t n = coarse.count;
-  const std::size_t m = fine.count;
-  std::pmr::vector<double> alongU(m * n, 0.0, memory);
-  std::pmr::vector<double> both(m * m, 0.0, memory);
-  for (uint32_t j = 0; j < n; ++j) {
-    for (uint32_t i = coarse.twoScaleBegin[j]; i < coarse.twoScaleBegin[j + 1]; ++i) {
-      const BasisLevel::TwoScale& h = coarse.twoScale[i];
-      for (std::size_t k = 0; k < n; ++k) {
-        alongU[h.fine * n + k] += h.value * coefficients[j * n + k];
-      }
-    }
-  }
-  for (uint32_t k = 0; k < n; ++k) {
-    for (uint32_t i = coarse.twoScaleBegin[k]; i < coarse.twoScaleBegin[k + 1]; ++i) {
-      const BasisLevel::TwoScale& h = coarse.twoScale[i];
-      for (std::size_t j = 0; j < m; ++j) {
-        both[j * m + h.fine] += h.value * alongU[j * n + k];
-      }
-    }
-  }
-  return both;
-}
-
 }  // namespace awd

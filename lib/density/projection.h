@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a pass's samples to the next pass's density: project, clamp, normalise, refine (section
-// "Adaptive pdfs" of the paper).
+// From a pass's samples to the next pass's density: project and clamp (section "Adaptive pdfs"
+// of the paper).
 #pragma once
 
 #include <memory_resource>
@@ -21,11 +21,5 @@ std::pmr::vector<double> project(std::pmr::memory_resource* memory, const BasisL
 /// Raises coefficients below tau times the mean of max(c, 0); tau <= 0: negative ones to 0. False
 /// if there is no usable mean: all zero, or not finite.
 bool clampCoefficients(const BasisLevel& level, double tau, std::pmr::vector<double>& coefficients);
-
-/// The same function one level finer: c' = P c on both axes by the two-scale relation. Keeps the
-/// integral and the sign.
-std::pmr::vector<double> refine(std::pmr::memory_resource* memory, const BasisLevel& coarse,
-                                const BasisLevel& fine,
-                                const std::pmr::vector<double>& coefficients);
 
 }  // namespace awd

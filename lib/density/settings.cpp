@@ -21,6 +21,7 @@ constexpr uint32_t kTreeHalvings = 20;
 constexpr uint64_t kSamplesPerStartBox = 8;
 constexpr double kConstantShrinkage = 2.0;
 constexpr double kSmoothShrinkage = 0.5;
+constexpr uint64_t kRefitBytes = uint64_t{1} << 28;
 
 int32_t settleChoice(int32_t asked, int32_t standard, int32_t last, const char* name) {
   if (asked < 0 || asked > last) {
@@ -90,6 +91,7 @@ void settleGrid(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
   for (uint32_t a = 0; a < d; ++a) {
     const AxisLevels levels = axisLevels(desc, a, false, *families[a]);
     settings.startLevel[a] = levels.start;
+    settings.fixedStart[a] = levels.hasStart;
     const bool fixed = levels.hasStart && levels.start == levels.maximum;
     learning.minLevel[a] = fixed ? levels.start : levels.least;
     ceiling[a] = levels.maximum;
@@ -132,11 +134,10 @@ void settleTree(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
          static_cast<unsigned long long>(
              std::min<uint64_t>(kMostLeafCoefficients, learning.maxCoefficients)));
   }
-  bool automatic[kMaxDimensions] = {};
   uint64_t leaves = 1;
   for (uint32_t a = 0; a < d; ++a) {
     const AxisLevels levels = axisLevels(desc, a, true, *families[a]);
-    automatic[a] = !levels.hasStart;
+    settings.fixedStart[a] = levels.hasStart;
     settings.startLevel[a] = levels.start;
     learning.maxLevel[a] =
         levels.hasMaximum ? levels.maximum : std::max(kTreeHalvings, levels.start);
@@ -156,7 +157,8 @@ void settleTree(const AWDDensityDesc& desc, const AWDBasisFamily* const* familie
   for (bool more = true; more;) {
     more = false;
     for (uint32_t a = 0; a < d; ++a) {
-      if (!automatic[a] || settings.startLevel[a] >= learning.maxLevel[a] || 2 * leaves > most) {
+      if (settings.fixedStart[a] || settings.startLevel[a] >= learning.maxLevel[a] ||
+          2 * leaves > most) {
         continue;
       }
       ++settings.startLevel[a];
@@ -186,6 +188,15 @@ const char* defaultBasis(AWDDensityStructure structure) {
   return structure == AWD_STRUCTURE_TREE ? "haar" : "linear-bspline";
 }
 
+void settleShrinkage(double asked, bool constant, LearningSettings& learning) {
+  if (!std::isfinite(asked)) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->shrinkage is %g: it must be finite", asked);
+  }
+  const double given = std::max(asked, 0.0);
+  learning.shrinkage = asked != 0.0 ? given : constant ? kConstantShrinkage : kSmoothShrinkage;
+  learning.refitShrinkage = asked != 0.0 ? given : -1.0;  // left open it goes by the noise
+}
+
 DensitySettings settle(const AWDDensityDesc& desc, const AWDBasisFamily* const* families) {
   DensitySettings settings;
   LearningSettings& learning = settings.learning;
@@ -193,7 +204,7 @@ DensitySettings settle(const AWDDensityDesc& desc, const AWDBasisFamily* const* 
   settings.structure =
       settleChoice(desc.structure, AWD_STRUCTURE_GRID, AWD_STRUCTURE_TREE, "structure");
   learning.estimator =
-      settleChoice(desc.estimator, AWD_ESTIMATOR_DEFAULT, AWD_ESTIMATOR_QUASI, "estimator");
+      settleChoice(desc.estimator, AWD_ESTIMATOR_DEFAULT, AWD_ESTIMATOR_REFIT, "estimator");
   learning.target = settleChoice(desc.target, AWD_TARGET_MEAN, AWD_TARGET_RMS, "target");
   const bool paper = learning.estimator == AWD_ESTIMATOR_PAPER;
   settings.sampler =
@@ -209,14 +220,11 @@ DensitySettings settle(const AWDDensityDesc& desc, const AWDBasisFamily* const* 
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->tau is %g: at most 1 is allowed", desc.tau);
   }
   learning.tau = desc.tau;
-  if (std::isnan(desc.shrinkage) || std::isinf(desc.shrinkage)) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->shrinkage is %g: it must be finite", desc.shrinkage);
-  }
-  const bool constant = std::all_of(families, families + desc.dimensions,
-                                    [](const AWDBasisFamily* f) { return f->order == 1; });
-  learning.shrinkage = desc.shrinkage != 0.0 ? std::max(desc.shrinkage, 0.0)
-                       : constant            ? kConstantShrinkage
-                                             : kSmoothShrinkage;
+  settleShrinkage(desc.shrinkage,
+                  std::all_of(families, families + desc.dimensions,
+                              [](const AWDBasisFamily* f) { return f->order == 1; }),
+                  learning);
+  learning.refitBytes = desc.refitBytes ? desc.refitBytes : kRefitBytes;
   settings.passSamples = desc.passSamples ? desc.passSamples : kPassSamples;
   learning.maxCoefficients = desc.maxCoefficients ? desc.maxCoefficients : kMaxCoefficients;
   if (learning.maxCoefficients > kMostCoefficients) {

@@ -15,6 +15,7 @@ struct DensitySettings {
   LearningSettings learning;
   uint64_t passSamples = 0;
   Levels startLevel{};  ///< of a grid; in a tree how often boxes are halved at first
+  bool fixedStart[kMaxDimensions] = {};  ///< whether the host said so
 };
 
 /// The name of the family that axes without one get.
@@ -22,6 +23,10 @@ const char* defaultBasis(AWDDensityStructure structure);
 
 /// Checks and settles what `desc` says, given the families of its axes. desc.axes may be null.
 DensitySettings settle(const AWDDensityDesc& desc, const AWDBasisFamily* const* families);
+
+/// Settles how far the estimators are shrunk, as AWDDensityDesc::shrinkage has it. constant: all
+/// functions are piecewise constant.
+void settleShrinkage(double asked, bool constant, LearningSettings& learning);
 
 /// The tables that such a density needs, not more.
 Ref<DensityBases> compileBases(std::pmr::memory_resource* memory, const DensitySettings& settings,

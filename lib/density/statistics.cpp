@@ -54,8 +54,12 @@ void PassSums::add(const PassSums& other) {
 }
 
 DensityStatistics::DensityStatistics(std::pmr::memory_resource* memory, std::size_t coefficients,
-                                     std::size_t boxTallies, std::size_t earlierPasses)
-    : sums(memory), tallies(coefficients, memory), boxes(boxTallies, memory) {
+                                     std::size_t boxTallies, std::size_t earlierPasses,
+                                     Ref<NormalPattern> pattern, std::size_t blocks)
+    : sums(memory),
+      tallies(coefficients, memory),
+      boxes(boxTallies, memory),
+      normal(memory, std::move(pattern), blocks) {
   sums.cross.resize(earlierPasses);
 }
 
@@ -74,16 +78,19 @@ void DensityStatistics::add(const DensityStatistics& other) {
   sums.add(other.sums);
   addEach(tallies, other.tallies);
   addEach(boxes, other.boxes);
+  addEach(normal.products, other.normal.products);
+  normal.energy.add(other.normal.energy);
 }
 
 bool DensityStatistics::sameSizes(const DensityStatistics& other) const {
   return tallies.size() == other.tallies.size() && boxes.size() == other.boxes.size() &&
-         sums.cross.size() == other.sums.cross.size();
+         sums.cross.size() == other.sums.cross.size() &&
+         normal.products.size() == other.normal.products.size();
 }
 
 std::size_t DensityStatistics::bytes() const {
   return sizeof *this + tallies.capacity() * sizeof(Tally) + boxes.capacity() * sizeof(BoxTally) +
-         sums.cross.capacity() * sizeof(BinnedSum);
+         (sums.cross.capacity() + normal.products.capacity()) * sizeof(BinnedSum);
 }
 
 }  // namespace awd

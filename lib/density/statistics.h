@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "awd/density.h"
+#include "density/normal_pattern.h"
 #include "density/tally.h"
 
 namespace awd {
@@ -63,15 +64,40 @@ struct PassSums {
   void add(const PassSums& other);
 };
 
+/// What the estimator `refit` wants to know beside S1 and S0.
+struct NormalSums {
+  /// blocks: 1 for a grid, the leaves of a tree. No pattern: nothing is summed.
+  NormalSums(std::pmr::memory_resource* memory, Ref<NormalPattern> which, std::size_t blocks)
+      : pattern(std::move(which)), products(pattern ? blocks * pattern->size() : 0, memory) {}
+
+  /// A sample at x, a place of that block.
+  template <uint32_t D>
+  void add(std::size_t block, const double* x, const AxisValues* at, const WeighedSample& sample) {
+    const double inverse = sample.inverse.value;
+    energy.add(sample.target.value * sample.target.value * inverse,
+               2 * sample.target.exponent + sample.inverse.exponent);
+    BinnedSum* sums = &products[block * pattern->size()];
+    pattern->forEachAlive<D>(x, at, [&](std::size_t entry, double product) {
+      sums[entry].add(product * inverse, sample.inverse.exponent);
+    });
+  }
+
+  Ref<NormalPattern> pattern;
+  std::pmr::vector<BinnedSum> products;  ///< A_jk, block by block
+  BinnedSum energy;                      ///< sum f^2 / p, f the target
+};
+
 class DensityStatistics {
  public:
   /// boxTallies: 0 for a grid.
   DensityStatistics(std::pmr::memory_resource* memory, std::size_t coefficients,
-                    std::size_t boxTallies, std::size_t earlierPasses);
+                    std::size_t boxTallies, std::size_t earlierPasses,
+                    Ref<NormalPattern> pattern = {}, std::size_t blocks = 1);
 
   PassSums sums;
   std::pmr::vector<Tally> tallies;   ///< one a coefficient
   std::pmr::vector<BoxTally> boxes;  ///< tree: d + 1 a leaf, the lower halves and then the whole
+  NormalSums normal;
 
   /// Fails with AWD_ERROR_INVALID_OPERATION if so many more can't be summed.
   void needRoomFor(uint64_t samples) const;

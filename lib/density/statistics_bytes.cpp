@@ -64,6 +64,8 @@ void put(ByteWriter& writer, const DensityStatistics& statistics) {
     put(writer, box.value);
     put(writer, box.square);
   }
+  for (const BinnedSum& product : statistics.normal.products) put(writer, product);
+  put(writer, statistics.normal.energy);
 }
 
 void get(ByteReader& reader, DensityStatistics& statistics) {
@@ -83,6 +85,8 @@ void get(ByteReader& reader, DensityStatistics& statistics) {
     box.value = getSum(reader);
     box.square = getSum(reader);
   }
+  for (BinnedSum& product : statistics.normal.products) product = getSum(reader);
+  statistics.normal.energy = getSum(reader);
 }
 
 }  // namespace awd

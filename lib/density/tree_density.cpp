@@ -22,9 +22,9 @@ TreeDensity::TreeDensity(std::pmr::memory_resource* memory, const BasisLevel* co
       tree_(std::move(tree)),
       index_(tree_),
       coefficients_(std::move(coefficients)),
+      order_(commonOrder(levels, shape_.dimensions)),
       leafSampler_(levels, shape_),
-      marginals_(memory),
-      halves_(tree_.nodes().size(), Halves{}, memory) {
+      marginals_(memory) {
   std::copy(levels, levels + shape_.dimensions, levels_);
   for (uint32_t a = 0; a < shape_.dimensions; ++a) strides_[a] = shape_.stride(a);
   if (scale == Scale::toIntegral) {
@@ -43,12 +43,7 @@ TreeDensity::TreeDensity(std::pmr::memory_resource* memory, const BasisLevel* co
     leafSampler_.marginals(&coefficients_[leaf * leafSize_],
                            marginals_.data() + leaf * leafSampler_.marginalSize());
   }
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const TreeNode& node = tree_.nodes()[i];
-    if (node.leaf() || !(masses[i] > 0.0)) continue;
-    const double left = masses[node.child] / masses[i];
-    halves_[i] = {left, left > 0.0 ? 1.0 / left : 0.0, left < 1.0 ? 1.0 / (1.0 - left) : 0.0};
-  }
+  descent_.emplace(tree_, masses);
 }
 
 void TreeDensity::destroy() noexcept {
@@ -70,73 +65,53 @@ void TreeDensity::weigh(Coefficients& masses) const {
   }
 }
 
-template <uint32_t D>
-double TreeDensity::value(const double* c, const double* t, AxisValues* at) const {
-  if (leafSize_ == 1) return *c;
-  evaluatePoint<D>(levels_, t, at);
-  return contract<D>(c, strides_, at);
-}
-
 void TreeDensity::pdf(std::size_t count, const double* points, double* pdfs) const {
   withDimensions(shape_.dimensions, [&](auto dimensions) {
-    constexpr uint32_t d = dimensions;
-    AxisValues at[d];
-    double t[d];
-    for (std::size_t i = 0; i < count; ++i, points += d) {
-      std::copy(points, points + d, t);
-      pdfs[i] = value<d>(&coefficients_[index_.descend<d>(tree_, t).child * leafSize_], t, at);
-    }
+    withOrder(order_, [&](auto order) {
+      constexpr uint32_t d = dimensions;
+      AxisValues at[d];
+      double t[d];
+      for (std::size_t i = 0; i < count; ++i, points += d) {
+        std::copy(points, points + d, t);
+        const double* c = &coefficients_[index_.descend<d>(tree_, t).child * leafSize_];
+        if (leafSize_ == 1) {
+          pdfs[i] = *c;
+          continue;
+        }
+        evaluatePoint<d, order>(levels_, t, at);
+        pdfs[i] = contract<d, order>(c, strides_, at);
+      }
+    });
   });
 }
 
 void TreeDensity::sample(std::size_t count, const double* uniforms, double* points, double* pdfs,
                          uint32_t* components) const {
-  withDimensions(shape_.dimensions, [&](auto dimensions) {
-    constexpr uint32_t d = dimensions;
-    const double belowOne = std::nextafter(1.0, 0.0);
-    AxisValues at[d];
-    for (std::size_t i = 0; i < count; ++i, uniforms += d, points += d) {
-      double u[d], t[d], lower[d] = {}, size[d];
-      std::copy(uniforms, uniforms + d, u);
-      std::fill(size, size + d, 1.0);
-      const TreeNode* nodes = tree_.nodes().data();
-      uint32_t node = 0;
-      while (!nodes[node].leaf()) {
-        const uint32_t axis = nodes[node].axis;
-        const Halves& halves = halves_[node];
-        const bool upper = u[axis] >= halves.left;
-        size[axis] *= 0.5;
-        lower[axis] += upper ? size[axis] : 0.0;
-        u[axis] =
-            (u[axis] - (upper ? halves.left : 0.0)) * (upper ? halves.overRight : halves.overLeft);
-        u[axis] = std::min(u[axis], belowOne);
-        node = nodes[node].child + upper;
-      }
-      const std::size_t leaf = nodes[node].child;
-      const double* c = &coefficients_[leaf * leafSize_];
-      const double* drawn = u;
-      if (leafSize_ > 1) {
-        leafSampler_.sample<d>(c, marginals_.data() + leaf * leafSampler_.marginalSize(), u, t);
-        drawn = t;
-      }
-      for (uint32_t a = 0; a < d; ++a) {
-        // Rounding must not carry the point into the next box.
-        const double place = drawn[a];
-        points[a] = lower[a] + place * size[a];
-        if (points[a] >= lower[a] + size[a]) points[a] = std::nextafter(lower[a] + size[a], 0.0);
-        // As exact as the steps down the tree: the same bits as in pdf(). Nor may rounding carry it
-        // into the next cell of the leaf, which may have no mass.
-        const BasisLevel& level = *levels_[a];
-        t[a] = (points[a] - lower[a]) / size[a];
-        while (level.cells > 1 && cellOf(level, t[a]) > cellOf(level, place)) {
-          points[a] = std::nextafter(points[a], 0.0);
-          t[a] = (points[a] - lower[a]) / size[a];
-        }
-      }
-      if (components) components[i] = AWD_INVALID_ID;
-      if (pdfs) pdfs[i] = value<d>(c, t, at);
+  if (count == 1) {
+    sampleBlock<1>(1, uniforms, points, pdfs);
+  } else {
+    const uint32_t d = shape_.dimensions;
+    for (std::size_t done = 0; done < count; done += kBlock) {
+      sampleBlock<kBlock>(std::min(count - done, kBlock), uniforms + done * d, points + done * d,
+                          pdfs ? pdfs + done : nullptr);
     }
-  });
+  }
+  if (components) std::fill(components, components + count, AWD_INVALID_ID);
+}
+
+template <std::size_t N>
+void TreeDensity::sampleBlock(std::size_t count, const double* uniforms, double* points,
+                              double* pdfs) const {
+  const uint32_t d = shape_.dimensions;
+  BlockDescent<N> block;
+  for (uint32_t a = 0; a < d; ++a) {
+    forEachSample<N>(count, [&](std::size_t i) { block.u[a][i] = uniforms[i * d + a]; });
+  }
+  descent_->descend(count, block);
+  double* told = leafSampler_.tellsPdfs() ? pdfs : nullptr;
+  leafSampler_.sample({*descent_, coefficients_.data(), marginals_.data()}, count, block, points,
+                      told);
+  if (pdfs && !told) pdf(count, points, pdfs);
 }
 
 void TreeDensity::record(std::size_t count, const double* points, const double* pdfs,
@@ -164,6 +139,7 @@ void TreeDensity::record(std::size_t count, const double* points, const double* 
         if (t[a] < 0.5) boxes[a].add(sample);
       }
       boxes[d].add(sample);
+      if (statistics.normal.pattern) statistics.normal.add<d>(leaf, t, at, sample);
       const Scaled value = {sample.target.value * sample.inverse.value,
                             sample.target.exponent + sample.inverse.exponent};
       forEachAlive<d>(strides_, at, [&](std::size_t j, double n) {
@@ -194,8 +170,7 @@ double TreeDensity::mass(const double* lower, const double* upper) const {
 
 std::size_t TreeDensity::bytes() const {
   return sizeof *this + tree_.bytes() + index_.bytes() +
-         (coefficients_.capacity() + marginals_.capacity()) * sizeof(double) +
-         halves_.capacity() * sizeof(Halves);
+         (coefficients_.capacity() + marginals_.capacity()) * sizeof(double) + descent_->bytes();
 }
 
 }  // namespace awd

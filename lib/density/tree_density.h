@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory_resource>
+#include <optional>
 
 #include "density/leaf_sampler.h"
 #include "density/statistics.h"
 #include "density/tensor.h"
 #include "density/tree.h"
+#include "density/tree_descent.h"
 #include "density/tree_index.h"
 #include "util/context.h"
 
@@ -45,9 +47,9 @@ class TreeDensity final : public RefCounted {
 
  private:
   void destroy() noexcept override;
-  /// p at a place t of a leaf of coefficients c.
-  template <uint32_t D>
-  double value(const double* c, const double* t, AxisValues* at) const;
+  /// sample() of N samples at most.
+  template <std::size_t N>
+  void sampleBlock(std::size_t count, const double* uniforms, double* points, double* pdfs) const;
   /// Masses of the nodes' lower halves, and the integral of all; `masses` gets one per node.
   void weigh(Coefficients& masses) const;
 
@@ -58,14 +60,10 @@ class TreeDensity final : public RefCounted {
   Tree tree_;
   TreeIndex index_;
   Coefficients coefficients_;
+  uint32_t order_;  ///< commonOrder() of the axes
   LeafSampler leafSampler_;
   Coefficients marginals_;  ///< of the leaves, as the sampler wants them
-  /// How uniforms along the axis of a split go on: below `left`, the lower half's share of the
-  /// mass, times 1/left; else what is beyond times 1/(1 - left).
-  struct Halves {
-    double left = 0.0, overLeft = 0.0, overRight = 0.0;
-  };
-  std::pmr::vector<Halves> halves_;  ///< one a node
+  std::optional<TreeDescent> descent_;
 };
 
 }  // namespace awd

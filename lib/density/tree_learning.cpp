@@ -8,6 +8,7 @@
 #include "density/energy.h"
 #include "density/estimators.h"
 #include "density/leaf_sampler.h"
+#include "density/tree_matrices.h"
 #include "density/tree_sums.h"
 
 namespace awd {
@@ -55,13 +56,15 @@ class TreeLearner {
         shape_(density.leafShape()),
         size_(shape_.size()),
         samples_(static_cast<double>(statistics.sums.samples)),
+        statistics_(statistics),
         sums_(bases, density, statistics),
         memory_(statistics.tallies.get_allocator().resource()),
         scratch_(3 * size_, 0.0, memory_),
         pool_(memory_),
         merged_(nodes_.size(), false, memory_),
         tree_(memory_, shape_.dimensions),
-        open_(memory_) {}
+        open_(memory_),
+        closed_(memory_) {}
 
   std::optional<TreeState> run(uint64_t nextSamples, LearningReport& report);
 
@@ -78,6 +81,8 @@ class TreeLearner {
   /// Copies the old tree down to its merged nodes, with shrunk estimates.
   void descend(uint32_t oldNode, const Box& box, const TreeBox& place);
   void close(Box box, uint32_t oldNode, const TreeBox& place);
+  /// Refits the boxes that descend() came to, whose coefficients are the prior.
+  void refitBoxes(LearningReport& report);
   /// Returns the potential of both halves.
   double halve(const Box& box, uint32_t axis);
   uint32_t bestAxis(const Box& box) const;
@@ -89,13 +94,15 @@ class TreeLearner {
   const Shape shape_;
   const std::size_t size_;
   const double samples_;
+  const DensityStatistics& statistics_;
   const TreeSums sums_;
   std::pmr::memory_resource* memory_;
-  mutable Coefficients scratch_;   ///< three boxes' worth
-  Coefficients pool_;              ///< coefficients of boxes, size_ each
-  std::pmr::vector<bool> merged_;  ///< per old node: becomes a leaf
-  Tree tree_;                      ///< the new one
-  std::pmr::vector<Box> open_;     ///< its leaves; a heap by potential while halving
+  mutable Coefficients scratch_;       ///< three boxes' worth
+  Coefficients pool_;                  ///< coefficients of boxes, size_ each
+  std::pmr::vector<bool> merged_;      ///< per old node: becomes a leaf
+  Tree tree_;                          ///< the new one
+  std::pmr::vector<Box> open_;         ///< its leaves; a heap by potential while halving
+  std::pmr::vector<uint32_t> closed_;  ///< the old nodes of the boxes that descend() came to
 };
 
 void TreeLearner::estimate(uint32_t node, double volume, double* out) const {
@@ -193,7 +200,7 @@ void TreeLearner::dropNoise(double least) {
 void TreeLearner::close(Box box, uint32_t oldNode, const TreeBox& place) {
   const double volume = place.volume(shape_.dimensions);
   box.potential = potential(oldNode, volume);
-  if (settings_.estimator != AWD_ESTIMATOR_QUASI) {
+  if (!shrinks(settings_.estimator)) {
     projectLeaf(bases_, shape_, &pool_[box.coefficients]);
   }
   const BoxSums all = sums_.whole(oldNode);
@@ -208,18 +215,18 @@ void TreeLearner::close(Box box, uint32_t oldNode, const TreeBox& place) {
     box.lowerShare[a] = rest > 0.0 ? lower.spread() / rest : 0.5;
   }
   open_.push_back(box);
+  closed_.push_back(oldNode);
 }
 
 void TreeLearner::descend(uint32_t oldNode, const Box& box, const TreeBox& place) {
   // (n_j r_j + kappa prior_j) / (n_j + kappa); the prior is in the pool already.
-  const bool quasi = settings_.estimator == AWD_ESTIMATOR_QUASI;
   double* r = scratch_.data();
   estimate(oldNode, place.volume(shape_.dimensions), r);
   for (std::size_t j = 0; j < size_; ++j) {
     if (settings_.target == AWD_TARGET_RMS) r[j] = std::sqrt(r[j]);
     double& c = pool_[box.coefficients + j];
     const double n = sums_.weights(oldNode)[j] > 0.0 ? sums_.counts(oldNode)[j] : 0.0;
-    const double kappa = quasi ? settings_.shrinkage : 0.0;
+    const double kappa = shrinks(settings_.estimator) ? settings_.shrinkage : 0.0;
     c = n + kappa > 0.0 ? (n * r[j] + kappa * c) / (n + kappa) : c;
   }
   if (nodes_[oldNode].leaf() || merged_[oldNode]) {
@@ -235,6 +242,48 @@ void TreeLearner::descend(uint32_t oldNode, const Box& box, const TreeBox& place
     next.node = child + half;
     next.coefficients = half ? upper : lower;
     descend(nodes_[oldNode].child + half, next, place.half(axis, half));
+  }
+}
+
+void TreeLearner::refitBoxes(LearningReport& report) {
+  const std::size_t n = open_.size() * size_;
+  const TreeMatrices matrices(bases_, old_, statistics_.normal, sums_.weightExponent());
+  NormalEquations equations(memory_);
+  Coefficients prior(n, 0.0, memory_), weights(n, 1.0, memory_), block(memory_);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    const Box& box = open_[i];
+    double volume = 1.0;
+    for (uint32_t a = 0; a < shape_.dimensions; ++a) {
+      volume = std::ldexp(volume, -static_cast<int>(box.depth[a]));
+    }
+    matrices.of(closed_[i], block);
+    equations.appendBlock(block.data(), size_);
+    const double* values = sums_.values(closed_[i]);
+    equations.rhs.insert(equations.rhs.end(), values, values + size_);
+    for (std::size_t j = 0; j < size_; ++j) {
+      double& weight = weights[i * size_ + j];
+      weight = volume;
+      for (uint32_t a = 0; a < shape_.dimensions; ++a) {
+        weight *= old_.levels()[a]->weights[j / shape_.stride(a) % shape_.count[a]];
+      }
+      double& c = prior[i * size_ + j];
+      c = pool_[box.coefficients + j];
+      mean += weight * c;
+      if (settings_.target == AWD_TARGET_RMS) c *= c;  // what is fitted is f^2
+    }
+  }
+  equations.energy =
+      statistics_.normal.energy.plain(2 * sums_.valueExponent() - sums_.weightExponent());
+  const auto unknowns = static_cast<double>(n);
+  double least = mean * settleTau(settings_.tau, settings_.estimator, !bases_.constant(),
+                                  settings_.shrinkage > 0.0, samples_, unknowns);
+  if (settings_.target == AWD_TARGET_RMS) least *= least;
+  const Coefficients c = refit(settings_.refitter, equations, {prior, weights, least},
+                               settings_.refitShrinkage, samples_, report.refit);
+  for (std::size_t i = 0; i < n; ++i) {
+    pool_[open_[i / size_].coefficients + i % size_] =
+        settings_.target == AWD_TARGET_RMS ? std::sqrt(c[i]) : c[i];
   }
 }
 
@@ -295,6 +344,7 @@ std::optional<TreeState> TreeLearner::run(uint64_t nextSamples, LearningReport& 
 
   pool_.assign(size_, mean);
   descend(0, Box{}, TreeBox{});
+  if (settings_.estimator == AWD_ESTIMATOR_REFIT) refitBoxes(report);
   const std::size_t kept = open_.size();
   report.coarsened = (old_.tree().leaves() - kept) * size_;
 
@@ -336,8 +386,8 @@ std::optional<TreeState> TreeLearner::run(uint64_t nextSamples, LearningReport& 
   });
   if (!(whole > 0.0) || !std::isfinite(whole)) return std::nullopt;
   report.tau = settleTau(settings_.tau, report.estimator, !bases_.constant(),
-                         report.estimator == AWD_ESTIMATOR_QUASI && settings_.shrinkage > 0.0,
-                         samples_, static_cast<double>(state.coefficients.size()));
+                         shrinks(report.estimator) && settings_.shrinkage > 0.0, samples_,
+                         static_cast<double>(state.coefficients.size()));
   report.negative = clampCoefficients(report.tau, whole, state.coefficients);
   return state;
 }

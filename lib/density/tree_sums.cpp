@@ -21,11 +21,6 @@ class LargestExponent {
   int exponent_ = std::numeric_limits<int>::min();
 };
 
-double plain(const BinnedSum& sum, int exponent) {
-  const Scaled scaled = sum.scaled();
-  return std::ldexp(scaled.value, scaled.exponent - exponent);
-}
-
 }  // namespace
 
 TreeSums::TreeSums(const DensityBases& bases, const TreeDensity& density,
@@ -63,18 +58,18 @@ TreeSums::TreeSums(const DensityBases& bases, const TreeDensity& density,
 void TreeSums::takeLeaf(uint32_t node, uint32_t leaf, const DensityStatistics& statistics) {
   for (std::size_t j = 0; j < size_; ++j) {
     const Tally& tally = statistics.tallies[leaf * size_ + j];
-    values_[node * size_ + j] = plain(tally.value, valueExponent_);
-    weights_[node * size_ + j] = plain(tally.weight, weightExponent_);
+    values_[node * size_ + j] = tally.value.plain(valueExponent_);
+    weights_[node * size_ + j] = tally.weight.plain(weightExponent_);
     counts_[node * size_ + j] = tally.count();
     count_[node] += tally.count();
   }
   for (uint32_t i = 0; i <= dimensions_; ++i) {
     const BoxTally& tally = statistics.boxes[leaf * (dimensions_ + 1) + i];
     BoxSums& sums = boxes_[std::size_t{node} * (dimensions_ + 1) + i];
-    sums.weight = plain(tally.weight, weightExponent_);
-    sums.value = plain(tally.value, valueExponent_);
+    sums.weight = tally.weight.plain(weightExponent_);
+    sums.value = tally.value.plain(valueExponent_);
     // So that meanSquare has the units of mean^2.
-    sums.square = plain(tally.square, 2 * valueExponent_ - weightExponent_);
+    sums.square = tally.square.plain(2 * valueExponent_ - weightExponent_);
   }
 }
 

@@ -38,6 +38,9 @@ class TreeSums {
   const double* values(uint32_t node) const { return &values_[node * size_]; }
   const double* weights(uint32_t node) const { return &weights_[node * size_]; }
   const double* counts(uint32_t node) const { return &counts_[node * size_]; }
+  /// Powers of two that were taken out of values and weights.
+  int valueExponent() const { return valueExponent_; }
+  int weightExponent() const { return weightExponent_; }
 
  private:
   BoxSums box(uint32_t node, uint32_t which) const {

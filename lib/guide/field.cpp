@@ -6,7 +6,9 @@
 #include <cstring>
 #include <optional>
 
+#include "density/grid_learning.h"
 #include "density/projection.h"
+#include "density/settings.h"
 #include "util/error.h"
 
 namespace awd {
@@ -40,12 +42,10 @@ uint32_t settleLevel(uint32_t asked, const char* name, uint32_t preset,
   return level;
 }
 
-/// A magnitude to set the next pass's unit by: the mean, unless single values tower above it.
-double magnitudeOf(const SquareStatistics& statistics) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < statistics.components(); ++i) sum += statistics.sum(i);
-  const double mean = sum / static_cast<double>(std::max<uint64_t>(1, statistics.samples()));
-  return std::max(mean, statistics.largest() * 0x1p-19);
+Ref<DensityBases> compile(std::pmr::memory_resource* memory, const AWDBasisFamily& family,
+                          uint32_t maxLevel) {
+  const DensityBases::Axis axes[] = {{&family, maxLevel}, {&family, maxLevel}};
+  return DensityBases::make(memory, axes, 2);
 }
 
 }  // namespace
@@ -59,6 +59,10 @@ FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
   }
   if (!(desc.tau <= 1.0)) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->tau is %g: at most 1 is allowed", desc.tau);
+  }
+  if (desc.estimator < AWD_ESTIMATOR_DEFAULT || desc.estimator > AWD_ESTIMATOR_REFIT) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->estimator is %d: not an AWD_ESTIMATOR_...",
+         desc.estimator);
   }
   const bool paper = desc.preset == AWD_PRESET_PAPER;
   FieldSettings settings;
@@ -78,7 +82,12 @@ FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
     (desc.startLevel ? settings.maxLevel : settings.startLevel) =
         desc.startLevel ? settings.startLevel : settings.maxLevel;
   }
-  settings.tau = desc.tau != 0.0 ? desc.tau : paper ? kPaperTau : kDefaultTau;
+  LearningSettings& learning = settings.learning;
+  learning.tau = desc.tau != 0.0 ? desc.tau : paper ? kPaperTau : kDefaultTau;
+  learning.estimator =
+      desc.estimator != AWD_ESTIMATOR_DEFAULT ? desc.estimator : AWD_ESTIMATOR_PAPER;
+  settleShrinkage(desc.shrinkage, family.order == 1, learning);
+  learning.maxCoefficients = UINT64_MAX;
   return settings;
 }
 
@@ -91,14 +100,16 @@ Ref<Field> Field::make(Ref<Context> context, const AWDBasisFamily& family,
 Field::Field(Ref<Context> context, const AWDBasisFamily& family, const FieldSettings& settings)
     : context_(std::move(context)),
       settings_(settings),
-      family_(context_->memory(), family, settings.maxLevel),
-      grams_(context_->memory()),
-      start_(context_->memory(), family_.level(settings.startLevel)),
-      unitExponent_(SquareStatistics::unitExponentFor(1.0)),
+      bases_(compile(context_->memory(), family, settings.maxLevel)),
+      patterns_(context_->memory()),
+      start_(context_->memory(), this->family().level(settings.startLevel)),
+      unitExponent_(FixedSums::unitExponentFor(1.0)),
       lastPass_(),
       table_(context_->memory()) {
-  for (uint32_t l = family_.minLevel(); l <= family_.maxLevel(); ++l) {
-    grams_.emplace_back(context_->memory(), family_.level(l));
+  if (settings.learning.estimator != AWD_ESTIMATOR_REFIT) return;
+  for (uint32_t l = settings.startLevel; l <= settings.maxLevel; ++l) {
+    const BasisLevel* const levels[] = {&this->family().level(l), &this->family().level(l)};
+    patterns_.push_back(NormalPattern::make(context_->memory(), levels, 2));
   }
 }
 
@@ -134,7 +145,7 @@ float Field::pdf(uint32_t patch, Vec3f normal, Vec3f direction) const {
 Patch& Field::touch(uint32_t patch) {
   return table_.touch(patch, [this] {
     std::pmr::memory_resource* memory = context_->memory();
-    return awd::make<Patch>(memory, memory, start_.coefficients().size(), unitExponent_);
+    return awd::make<Patch>(memory, memory, freshStatistics(start_.level(), unitExponent_));
   });
 }
 
@@ -147,65 +158,92 @@ void Field::record(uint32_t patch, const AWDDirectionSample& sample, double valu
          sample.component, patch, known.statistics->components());
   }
   // The density lives on the square: f there is f in solid angle times d omega / d(u,v).
-  known.statistics->record(sample.component, value * static_cast<double>(sample.solidAngle));
+  known.statistics->record(sample, value * static_cast<double>(sample.solidAngle));
 }
 
 void Field::setScale(double magnitude) {
-  unitExponent_ = SquareStatistics::unitExponentFor(magnitude);
+  unitExponent_ = FixedSums::unitExponentFor(magnitude);
   table_.forEach([&](uint32_t, Patch& patch) {
-    if (!patch.hasBeenSeen()) {
-      patch.statistics = makeOwned<SquareStatistics>(context_->memory(), context_->memory(),
-                                                     patch.statistics->components(), unitExponent_);
-    }
+    if (!patch.hasBeenSeen()) patch.statistics = freshStatistics(start_.level(), unitExponent_);
   });
+}
+
+Owned<PatchStatistics> Field::freshStatistics(const BasisLevel& level, int unitExponent) const {
+  std::pmr::memory_resource* memory = context_->memory();
+  if (settings_.learning.estimator == AWD_ESTIMATOR_PAPER) {
+    return makeOwned<PatchStatistics>(memory, memory, level, unitExponent);
+  }
+  Ref<NormalPattern> pattern;
+  if (!patterns_.empty()) pattern = patterns_[level.level - settings_.startLevel];
+  return makeOwned<PatchStatistics>(memory, memory, level, std::move(pattern), unitExponent);
 }
 
 bool Field::finerIsDue(uint32_t level, uint64_t samples) const {
   if (level >= settings_.maxLevel) return false;
   if (settings_.preset == AWD_PRESET_PAPER) return true;
-  const uint64_t n = family_.level(level + 1).count;
+  const uint64_t n = family().level(level + 1).count;
   return samples >= kSamplesPerCoefficient * n * n;
 }
 
-Owned<SquareDensity> Field::learn(const SquareStatistics& statistics,
-                                  const BasisLevel& level) const {
+Coefficients Field::estimate(const PatchStatistics& statistics, const BasisLevel& level,
+                             const Refitter& refitter, RefitReport& report) const {
+  std::pmr::memory_resource* memory = context_->memory();
+  if (const SquareStatistics* byComponent = statistics.byComponent()) {
+    Coefficients c = project(memory, level, bases_->axis(0).gram(level.level), *byComponent);
+    if (!clampCoefficients(level, settings_.learning.tau, c)) c.clear();
+    return c;
+  }
+  const Levels levels = {level.level, level.level};
+  LearningSettings learning = settings_.learning;
+  learning.minLevel = learning.maxLevel = levels;
+  learning.refitter = refitter;
+  LearningReport made;
+  std::optional<GridState> state = learnGrid(
+      *bases_, learning, levels, statistics.byFunction()->statistics(), statistics.samples(), made);
+  report = std::move(made.refit);
+  return state ? std::move(state->coefficients) : Coefficients(memory);
+}
+
+Owned<SquareDensity> Field::learn(const PatchStatistics& statistics, const BasisLevel& level,
+                                  const Refitter& refitter, RefitReport& report) const {
   std::pmr::memory_resource* memory = context_->memory();
   Owned<SquareDensity> none(nullptr, {memory});
-  if (statistics.overflowed()) return none;
-
-  std::pmr::vector<double> c =
-      project(memory, level, grams_[level.level - family_.minLevel()], statistics);
-  if (!clampCoefficients(level, settings_.tau, c)) return none;
+  if (statistics.common().overflowed()) return none;
+  Coefficients c = estimate(statistics, level, refitter, report);
+  if (c.empty()) return none;
   if (!finerIsDue(level.level, statistics.samples())) {
     return makeOwned<SquareDensity>(memory, level, std::move(c));
   }
-  const BasisLevel& fine = family_.level(level.level + 1);
-  return makeOwned<SquareDensity>(memory, fine, refine(memory, level, fine, c));
+  const uint32_t next = level.level + 1;
+  c = refineTo(*bases_, {level.level, level.level}, {next, next}, c);
+  return makeOwned<SquareDensity>(memory, family().level(next), std::move(c));
 }
 
-Field::Successor Field::succeed(Patch& patch) const {
-  std::pmr::memory_resource* memory = context_->memory();
-  const SquareStatistics* statistics = patch.statistics.get();
-  Owned<SquareStatistics> whole(nullptr, {memory});
+Field::Successor Field::succeed(Patch& patch, const Refitter& refitter) const {
+  const BasisLevel& level = density(patch).level();
+  const PatchStatistics* statistics = patch.statistics.get();
+  Owned<PatchStatistics> whole(nullptr, {context_->memory()});
   if (patch.marked) {
-    whole = makeOwned<SquareStatistics>(memory, memory, statistics->components(),
-                                        statistics->unitExponent());
+    whole = freshStatistics(level, statistics->common().unitExponent());
     whole->add(*patch.marked);
     whole->add(*statistics);
     statistics = whole.get();
   }
-  Successor next = {&patch,
-                    learn(*statistics, density(patch).level()),
-                    Owned<SquareStatistics>(nullptr, {memory}),
-                    statistics->samples(),
-                    statistics->rejected(),
-                    statistics->saturated()};
-  const SquareDensity& density = next.density ? *next.density : this->density(patch);
-  next.statistics = makeOwned<SquareStatistics>(
-      memory, memory, density.coefficients().size(),
-      statistics->largest() > 0.0 ? SquareStatistics::unitExponentFor(magnitudeOf(*statistics))
-                                  : statistics->unitExponent());
-  return next;
+  const FixedSums& common = statistics->common();
+  RefitReport refit;
+  Owned<SquareDensity> learned = learn(*statistics, level, refitter, refit);
+  const BasisLevel& next = learned ? learned->level() : level;
+  const int unitExponent = common.largest() > 0.0
+                               ? FixedSums::unitExponentFor(statistics->magnitude())
+                               : common.unitExponent();
+  return {&patch,
+          std::move(learned),
+          freshStatistics(next, unitExponent),
+          statistics->samples(),
+          common.rejected(),
+          common.saturated(),
+          refit.status,
+          refit.iterations};
 }
 
 AWDFieldStatistics Field::adapt() {
@@ -217,13 +255,20 @@ AWDFieldStatistics Field::adapt() {
   });
   std::pmr::vector<std::optional<Successor>> successors(sampled.size(), memory);
 
-  constexpr std::size_t kBlock = 64;
-  const std::size_t blocks = (sampled.size() + kBlock - 1) / kBlock;
+  const std::size_t each = patterns_.empty() ? 64 : 1;  // a refit takes long
+  const std::size_t blocks = (sampled.size() + each - 1) / each;
   Progress progress(*context_, "adapt", this, blocks);
+  Refitter refitter = settings_.learning.refitter;
+  refitter.user = &progress;
+  refitter.progress = [](void* user, double) -> int32_t {
+    return !static_cast<const Progress*>(user)->cancelled();
+  };
   context_->parallel().forEach(blocks, [&](std::size_t block) {
     if (progress.cancelled()) return;
-    const std::size_t end = std::min(sampled.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) successors[i] = succeed(*sampled[i]);
+    const std::size_t end = std::min(sampled.size(), (block + 1) * each);
+    for (std::size_t i = block * each; i < end; ++i) {
+      successors[i] = succeed(*sampled[i], refitter);
+    }
     progress.step();
   });
   progress.throwIfCancelled();
@@ -234,6 +279,9 @@ AWDFieldStatistics Field::adapt() {
     lastPass_.samples += next->samples;
     lastPass_.rejected += next->rejected;
     lastPass_.saturated += next->saturated;
+    lastPass_.refitFailed += next->refitStatus == AWD_REFIT_FAILED;
+    lastPass_.refitLimited += next->refitStatus == AWD_REFIT_LIMIT;
+    lastPass_.refitIterations += next->refitIterations;
     if (next->density) {
       patch.density = std::move(next->density);
       patch.learned = next->samples;
@@ -250,6 +298,7 @@ AWDFieldStatistics Field::adapt() {
 AWDFieldStatistics Field::statistics() const {
   AWDFieldStatistics figures = lastPass_;
   figures.bytes = sizeof *this + table_.bytes();
+  for (const Ref<NormalPattern>& pattern : patterns_) figures.bytes += pattern->bytes();
   table_.forEach([&](uint32_t, const Patch& patch) {
     figures.bytes += patch.bytes();
     if (!patch.hasBeenSeen()) return;
@@ -261,12 +310,11 @@ AWDFieldStatistics Field::statistics() const {
 
 void Field::mark() {
   std::pmr::memory_resource* memory = context_->memory();
-  std::pmr::vector<std::pair<Patch*, Owned<SquareStatistics>>> fresh(memory);
+  std::pmr::vector<std::pair<Patch*, Owned<PatchStatistics>>> fresh(memory);
   table_.forEach([&](uint32_t, Patch& patch) {
     if (patch.marked || patch.statistics->samples() == 0) return;
-    fresh.emplace_back(&patch,
-                       makeOwned<SquareStatistics>(memory, memory, patch.statistics->components(),
-                                                   patch.statistics->unitExponent()));
+    fresh.emplace_back(
+        &patch, freshStatistics(density(patch).level(), patch.statistics->common().unitExponent()));
   });
   // Nothing below can fail.
   table_.forEach([&](uint32_t, Patch& patch) {
@@ -287,7 +335,7 @@ void Field::revert() {
 AWDPatchInfo Field::patchInfo(uint32_t patch) const {
   const Patch* known = table_.find(patch);
   const BasisLevel& level = density(patch).level();
-  return {sizeof(AWDPatchInfo), family_.name().c_str(),       level.level,
+  return {sizeof(AWDPatchInfo), family().name().c_str(),      level.level,
           level.count,          known ? known->samples() : 0, known ? known->learned : 0};
 }
 

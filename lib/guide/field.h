@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "awd/field.h"
-#include "density/gram.h"
+#include "density/bases.h"
+#include "density/learning.h"
 #include "guide/hemisphere.h"
 #include "guide/patch.h"
 #include "guide/patch_table.h"
@@ -21,7 +22,7 @@ struct FieldSettings {
   AWDHemisphereMap map = AWD_MAP_DEFAULT;
   uint32_t startLevel = 0;
   uint32_t maxLevel = 0;
-  double tau = 0.0;  ///< <= 0: no floor
+  LearningSettings learning;  ///< estimator, tau, shrinkage and solver
 };
 
 /// Settles what `desc` leaves open, within the levels that the family has. AWD_ERROR_... for what
@@ -36,7 +37,7 @@ class Field final : public RefCounted {
 
   Context& context() const { return *context_; }
   const FieldSettings& settings() const { return settings_; }
-  const Family& family() const { return family_; }
+  const Family& family() const { return bases_->family(0); }
 
   AWDDirectionSample sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const;
   float pdf(uint32_t patch, Vec3f normal, Vec3f direction) const;
@@ -63,13 +64,20 @@ class Field final : public RefCounted {
   struct Successor {
     Patch* patch;
     Owned<SquareDensity> density;  ///< null: as it was
-    Owned<SquareStatistics> statistics;
+    Owned<PatchStatistics> statistics;
     uint64_t samples, rejected, saturated;
+    AWDRefitStatus refitStatus;
+    uint32_t refitIterations;
   };
-  Successor succeed(Patch& patch) const;
+  Successor succeed(Patch& patch, const Refitter& refitter) const;
   /// The density made of a pass's samples; null if they are of no use.
-  Owned<SquareDensity> learn(const SquareStatistics& statistics, const BasisLevel& level) const;
+  Owned<SquareDensity> learn(const PatchStatistics& statistics, const BasisLevel& level,
+                             const Refitter& refitter, RefitReport& report) const;
+  /// The coefficients that the estimator makes of them, on the same level; empty if it can't.
+  Coefficients estimate(const PatchStatistics& statistics, const BasisLevel& level,
+                        const Refitter& refitter, RefitReport& report) const;
   bool finerIsDue(uint32_t level, uint64_t samples) const;
+  Owned<PatchStatistics> freshStatistics(const BasisLevel& level, int unitExponent) const;
   const SquareDensity& density(const Patch& patch) const {
     return patch.density ? *patch.density : start_;
   }
@@ -77,11 +85,11 @@ class Field final : public RefCounted {
 
   Ref<Context> context_;
   FieldSettings settings_;
-  Family family_;
-  std::pmr::vector<GramSolver> grams_;  ///< one a level, from the family's first
+  Ref<DensityBases> bases_;
+  std::pmr::vector<Ref<NormalPattern>> patterns_;  ///< one a level from the start on, for refit
   SquareDensity start_;
   int unitExponent_;
-  AWDFieldStatistics lastPass_;  ///< samples, rejected, saturated and kept of the last adapt
+  AWDFieldStatistics lastPass_;  ///< of the last adapt: all but patches, coefficients and bytes
   PatchTable<Patch> table_;
 };
 

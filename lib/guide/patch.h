@@ -5,22 +5,20 @@
 #include <memory_resource>
 
 #include "density/square_density.h"
-#include "density/square_statistics.h"
+#include "guide/patch_statistics.h"
 #include "util/context.h"
 
 namespace awd {
 
 struct Patch {
-  Patch(std::pmr::memory_resource* memory, std::size_t components, int unitExponent)
-      : density(nullptr, {memory}),
-        statistics(makeOwned<SquareStatistics>(memory, memory, components, unitExponent)),
-        marked(nullptr, {memory}) {}
+  Patch(std::pmr::memory_resource* memory, Owned<PatchStatistics> fresh)
+      : density(nullptr, {memory}), statistics(std::move(fresh)), marked(nullptr, {memory}) {}
 
   Owned<SquareDensity> density;  ///< null: the field's start density
   uint64_t learned = 0;          ///< samples that the density was made of
   bool seen = false;             ///< had a sample in a pass that is over
-  Owned<SquareStatistics> statistics;
-  Owned<SquareStatistics> marked;  ///< the statistics before the field's mark, if there were any
+  Owned<PatchStatistics> statistics;
+  Owned<PatchStatistics> marked;  ///< the statistics before the field's mark, if there were any
 
   /// Samples since the last adapt, those before the mark included.
   uint64_t samples() const { return statistics->samples() + (marked ? marked->samples() : 0); }

@@ -73,6 +73,7 @@ class ByteReader {
   /// A count of items of which each takes that many bytes at least, so that no more is allocated
   /// than was given.
   std::size_t getCount(std::size_t itemSize);
+  std::size_t remaining() const { return static_cast<std::size_t>(end_ - next_); }
   /// All has been read.
   void finish();
   [[noreturn]] void damaged() const;

@@ -9,8 +9,8 @@ for subcommand in render png compare bases check-basis; do
   grep -q "^  $subcommand" out || complain "--help does not list $subcommand"
 done
 succeeds "$awd" render --help
-for option in output camera width height guide basis level preset passes spp samples seed threads \
-  shadow-rays json pdf basis-path; do
+for option in output camera width height guide basis level estimator refit-solver preset passes \
+  spp samples seed threads shadow-rays json pdf basis-path; do
   grep -q -- "--$option" out || complain "render --help does not list --$option"
 done
 succeeds "$awd" --version

@@ -175,7 +175,7 @@ TEST_F(Arguments, TheDesc) {
       {&AWDDensityDesc::sampler, "sampler"},
       {&AWDDensityDesc::combination, "combination"}};
   for (const auto& [choice, name] : choices) {
-    for (const int32_t bad : {-1, 5, 1 << 30}) {
+    for (const int32_t bad : {-1, 6, 1 << 30}) {
       AWDDensityDesc wrong = desc;
       wrong.*choice = bad;
       expectNone(kInvalid, wrong, {}, {std::string(name) + " is " + std::to_string(bad)});

@@ -7,7 +7,7 @@
 set -euo pipefail
 cmake=$1 readelf=$2 build=$3 source=$4 work=$5 lib=$6 version=$7 command=$8
 export LC_ALL=C
-unset AWD_BASIS_PATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH
+unset AWD_BASIS_PATH AWD_REFIT_PATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH
 prefix=$work/moved flags="-Wall -Wextra -Wpedantic -Werror"
 
 die() {
@@ -45,7 +45,7 @@ diff <(cd "$build/lib/awd/bases-1" && ls) <(cd "$prefix/$lib/awd/bases-1" && ls)
   die "not the bases"
 
 # Nothing in it knows where it was made, nor what libawd itself is made with.
-! grep -rniE 'embree|tbb|openexr|imath|libpng|awd-core|awd-settings' "$prefix/$lib/cmake" ||
+! grep -rniE 'embree|tbb|openexr|imath|libpng|ceres|glog|awd-core|awd-settings' "$prefix/$lib/cmake" ||
   die "a dependency leaks"
 ! grep -rlF -e "$work" -e "$build" -e "$source" "$prefix/$lib/cmake" "$prefix/include" ||
   die "a path leaks"
@@ -64,6 +64,20 @@ for file in "$module" "$work/host/boxes.so"; do
   [[ $exported == awdBasisModule_v1 ]] || die "$file exports: $exported"
 done
 silent env AWD_BASIS_PATH="$work/cubic" "$work/host/host" "$module"
+
+# With the refit module, if it was built, and without.
+refit=$prefix/$lib/awd/refit-1.so
+! "$readelf" -d "$prefix/$lib/libawd.so" | grep -iE 'ceres|glog' || die "libawd.so needs Ceres"
+if [[ -f $build/lib/awd/refit-1.so ]]; then
+  exported=$("$readelf" -W --dyn-syms "$refit" |
+    awk '$7 ~ /^[0-9]+$/ && $5 != "LOCAL" { print $8 }' | sed 's/@.*//' | grep -v '^AWD_')
+  [[ $exported == awdRefitModule_v1 ]] || die "$refit exports: $exported"
+  silent "$work/host/refit" there
+  mkdir "$work/elsewhere"
+  mv "$refit" "$work/elsewhere"
+  silent env AWD_REFIT_PATH="$work/elsewhere" "$work/host/refit" there
+fi
+silent "$work/host/refit" "$refit"
 
 # A host that wants another major version is told so.
 if "$cmake" -G Ninja -S "$source/tests/install/consumer" -B "$work/newer" \

@@ -26,6 +26,7 @@ struct Config {
   AWDDirectLight direct = AWD_DIRECT_DEFAULT;
   AWDRoulette roulette = AWD_ROULETTE_DEFAULT;
   uint32_t shadowRays = 0;
+  AWDEstimator estimator = AWD_ESTIMATOR_DEFAULT;
 };
 
 const Config kConfigs[] = {
@@ -44,6 +45,14 @@ const Config kConfigs[] = {
      AWD_ROULETTE_THROUGHPUT, 1},
     {"uniformWeightedAlbedo", AWD_GUIDE_UNIFORM, AWD_PRESET_DEFAULT, AWD_DIRECT_WEIGHTED,
      AWD_ROULETTE_ALBEDO},
+    {"ratio", AWD_GUIDE_ADAPTIVE, AWD_PRESET_PAPER, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
+     AWD_ESTIMATOR_RATIO},
+    {"quasi", AWD_GUIDE_ADAPTIVE, AWD_PRESET_DEFAULT, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
+     AWD_ESTIMATOR_QUASI},
+#ifdef AWD_TEST_REFIT
+    {"refit", AWD_GUIDE_ADAPTIVE, AWD_PRESET_DEFAULT, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
+     AWD_ESTIMATOR_REFIT},
+#endif
 };
 constexpr size_t kComparisons = std::size(kConfigs) + 6;  // the lamps below: two scenes, 3 guides
 
@@ -72,7 +81,17 @@ TEST(Bias, NoConfigurationDiffersFromTheReferenceSlow) {
     desc.direct = config.direct;
     desc.roulette = config.roulette;
     desc.shadowRays = config.shadowRays;
-    expectUnbiased(renderFilm(scene, desc, kPasses), reference);
+    Field field;
+    if (config.estimator != AWD_ESTIMATOR_DEFAULT) {
+      AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
+      fieldDesc.preset = config.preset;
+      fieldDesc.basis = "linear-bspline";
+      fieldDesc.estimator = config.estimator;
+      field = newField(device, &fieldDesc);
+    }
+    const Render render = newRender(scene, desc, field);
+    runPasses(render, kPasses);
+    expectUnbiased(readFilm(render), reference);
   }
 }
 

@@ -21,12 +21,14 @@ constexpr uint32_t kSize = 32;
 
 /// Mean over all pixels and channels; channels of a grey scene are one estimate, not three.
 Estimate measure(AWDScene scene, AWDGuide guide, AWDDirectLight direct,
-                 const std::vector<uint32_t>& passes) {
+                 const std::vector<uint32_t>& passes, AWDField field = nullptr) {
   const AWDCamera view = camera({0.4, 0.55, 0.35}, {0.9, 0.3, 0.8}, {0, 1, 0}, 0.8, kSize, kSize);
   AWDRenderDesc desc = renderDesc(view, guide, 7);
   desc.direct = direct;
   desc.shadowRays = 1;
-  const Film film = renderFilm(scene, desc, passes);
+  const Render render = newRender(scene, desc, field);
+  runPasses(render, passes);
+  const Film film = readFilm(render);
   const Estimate result = imageMean(film, 1);
   std::printf("  %llu samples a pixel, %llu in all: mean %.6f, standard error %.6f\n",
               static_cast<unsigned long long>(film.samplesPerPixel),
@@ -78,6 +80,19 @@ TEST_P(BrightFurnace, HighAlbedoIsWithinHalfAPercentSlow) {
   const Scene scene = uniformBox(device, 0.9, 0.1);
   expectRadiance(measure(scene, GetParam(), AWD_DIRECT_DEFAULT, {50, 100, 350}), 1.0, 5e-3);
 }
+
+#ifdef AWD_TEST_REFIT
+TEST(RefitFurnace, HalfAlbedoIsWithinHalfAPercentSlow) {
+  Device device = newDevice();
+  const Scene scene = uniformBox(device, 0.5, 1.0);
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.basis = "linear-bspline";
+  desc.estimator = AWD_ESTIMATOR_REFIT;
+  const Field field = newField(device, &desc);
+  const std::vector<uint32_t> passes = {50, 100, 200};
+  expectRadiance(measure(scene, AWD_GUIDE_ADAPTIVE, AWD_DIRECT_DEFAULT, passes, field), 2.0, 5e-3);
+}
+#endif
 
 /// 24 panels of four albedos with the emission that keeps L = 2: more lights than maxLights, so
 /// that shadow rays choose among them by power.

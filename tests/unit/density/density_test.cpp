@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "density/levels.h"
+#include "density/plain_solver.h"
 #include "util/error.h"
 
 namespace awd {
@@ -27,6 +28,11 @@ const AWDBasisFamily& find(void*, const char* name) {
     if (std::strcmp(known, name) == 0) return table(known);
   }
   fail(AWD_ERROR_UNSUPPORTED, "no such basis: %s", name);
+}
+
+const AWDRefitSolver& findSolver(void*, const char* name) {
+  if (std::strcmp(kPlainSolver.name, name) == 0) return kPlainSolver;
+  fail(AWD_ERROR_UNSUPPORTED, "no such solver: %s", name);
 }
 
 Ref<Context> newContext() {
@@ -46,7 +52,8 @@ Ref<Density> newDensity(const std::vector<const char*>& bases, AWDDensityDesc de
   desc.axes = axes.data();
   desc.maxCoefficients = 64;
   desc.passSamples = 20;
-  const DensitySettings settings = settle(desc, families.data());
+  DensitySettings settings = settle(desc, families.data());
+  settings.learning.refitter.solver = &kPlainSolver;
   Ref<Context> context = newContext();
   Ref<DensityBases> compiled = compileBases(context->memory(), settings, families.data());
   return Density::make(std::move(context), std::move(compiled), settings);
@@ -83,6 +90,10 @@ std::vector<Ref<Density>> someDensities() {
   desc.combination = AWD_COMBINE_CROSS_VARIANCE;
   desc.target = AWD_TARGET_RMS;
   all.push_back(newDensity({"f2"}, desc));
+  desc.estimator = AWD_ESTIMATOR_REFIT;
+  all.push_back(newDensity({"m2", "haar"}, desc));
+  desc.structure = AWD_STRUCTURE_GRID;
+  all.push_back(newDensity({"linear-bspline", "quadratic-bspline"}, desc));
   Uniforms random(1);
   for (const Ref<Density>& density : all) {
     for (int k = 0; k < 2; ++k) {
@@ -171,7 +182,8 @@ TEST(Density, ForgedBytesMakeADensityOrNone) {
       SCOPED_TRACE(i);
       const Bytes odd = forged(bytes, random);
       try {
-        const Ref<Density> density = Density::load(context, odd.data(), odd.size(), find, nullptr);
+        const Ref<Density> density =
+            Density::load(context, odd.data(), odd.size(), {nullptr, find, findSolver});
         ++taken;
         use(*density, random);
       } catch (const Error& error) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,14 +40,11 @@ TEST(InverseCdf, HitsItsTarget) {
         const double whole = mass(level, c, 1.0);
         for (int i = 0; i < 200; ++i) {
           const double u = i < 5 ? kEnds[i] : random();
-          double x;
-          AxisValues at;
-          inverse.sample<1>(c, &u, &x, &at);
+          double x, p;
+          inverse.sample<1>(c, 1, &u, &x, &p);
           ASSERT_TRUE(x >= 0.0 && x < 1.0) << x;
           ASSERT_NEAR(mass(level, c, x), u * whole, 1e-13 * whole)
               << name << " level " << l << " kind " << kind << " u " << u;
-          double p = 0.0;
-          for (uint32_t k = 0; k < at.count; ++k) p += at.value[k] * c[at.function[k]];
           ASSERT_GT(p, 0.0) << name << " level " << l << " kind " << kind << " u " << u;
         }
       }
@@ -73,7 +71,8 @@ TEST(InverseCdf, ConditionalsHitTheirTargets) {
       double u[3], x[3];
       for (double& number : u) number = i % 9 == 0 ? kEnds[i / 9 % 5] : random();
       AxisValues at[3];
-      inverse.sample<3>(c, u, x, at);
+      inverse.sample<3>(c, 1, u, x, nullptr);
+      evaluatePoint<3>(levels, x, at);
       Coefficients given = c;
       for (uint32_t a = 0; a < 3; ++a) {
         Shape rest = shape;
@@ -101,32 +100,40 @@ TEST(InverseCdf, ConditionalsHitTheirTargets) {
 
 template <uint32_t D>
 void compareWithAny(const char* name, Uniforms& random) {
+  constexpr std::size_t kSamples = 1000;
   const Family compiled = family(name);
   const BasisLevel* levels[D];
+  std::size_t strides[D];
   for (uint32_t a = 0; a < D; ++a) levels[a] = &compiled.level(3 - a);
   const Shape shape = shapeOf(levels, D);
+  for (uint32_t a = 0; a < D; ++a) strides[a] = shape.stride(a);
   Coefficients c(shape.size(), 0.0);
   for (double& value : c) value = random() < 0.2 ? 0.0 : std::pow(10.0, 4.0 * random());
   const InverseCdf inverse(memory(), levels, shape, c);
-  for (int i = 0; i < 500; ++i) {
-    double u[D], fast[D], any[D];
-    for (double& uniform : u) uniform = i < 5 ? kEnds[i] : random();
-    AxisValues fastAt[D], anyAt[D];
-    inverse.sample<D>(c, u, fast, fastAt);
-    inverse.sampleAny<D>(c, u, any, anyAt);
-    for (uint32_t a = 0; a < D; ++a) {
-      ASSERT_EQ(fast[a], any[a]) << name << " axis " << a;
-      ASSERT_EQ(fastAt[a].count, anyAt[a].count);
-      for (uint32_t k = 0; k < fastAt[a].count; ++k) {
-        ASSERT_EQ(fastAt[a].function[k], anyAt[a].function[k]);
-        ASSERT_EQ(fastAt[a].value[k], anyAt[a].value[k]);
-      }
+  std::vector<double> u(kSamples * D), points(u.size()), pdfs(kSamples);
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = i < 5 * D ? kEnds[i / D] : random();
+  inverse.sample<D>(c, kSamples, u.data(), points.data(), pdfs.data());
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    double x[D];
+    AxisValues at[D];
+    inverse.sampleAny<D>(c, &u[i * D], x, at);
+    for (uint32_t a = 0; a < D; ++a) ASSERT_EQ(points[i * D + a], x[a]) << name << " axis " << a;
+    ASSERT_EQ(pdfs[i], contract<D>(c.data(), strides, at)) << name;
+    ASSERT_GT(pdfs[i], 0.0) << name;
+  }
+  for (const std::size_t batch : {1u, 31u, 64u}) {
+    std::vector<double> again(u.size()), againPdfs(kSamples);
+    for (std::size_t done = 0; done < kSamples; done += batch) {
+      inverse.sample<D>(c, std::min(batch, kSamples - done), &u[done * D], &again[done * D],
+                        &againPdfs[done]);
     }
+    ASSERT_EQ(again, points) << name << " in batches of " << batch;
+    ASSERT_EQ(againPdfs, pdfs) << name << " in batches of " << batch;
   }
 }
 
-/// Bases of low order have code of their own, which must not change a bit.
-TEST(InverseCdf, TheFastWayGivesTheBitsOfTheGeneralOne) {
+/// Bases of low order are drawn from in blocks, by code of their own, which must not change a bit.
+TEST(InverseCdf, BlocksGiveTheBitsOfTheGeneralWay) {
   Uniforms random(3);
   for (const char* name : kShipped) {
     compareWithAny<1>(name, random);
@@ -134,6 +141,28 @@ TEST(InverseCdf, TheFastWayGivesTheBitsOfTheGeneralOne) {
     compareWithAny<3>(name, random);
     compareWithAny<4>(name, random);
   }
+}
+
+/// Parabolas that the steps of a whole block don't solve, among others.
+TEST(InverseCdf, SamplesThatTheBlockLeavesUnsolvedHitTheirTargets) {
+  constexpr std::size_t kSamples = 100;
+  Uniforms random(4);
+  const Family compiled = family("m3");
+  const BasisLevel* level = &compiled.level(1);
+  const Coefficients c = {0.0, 1.0, 0.0, 1.0, 1.0, 1.0};
+  const InverseCdf inverse(memory(), &level, shapeOf(&level, 1), c);
+  double u[kSamples], x[kSamples];
+  for (double& uniform : u) uniform = random();
+  inverse.sample<1>(c, kSamples, u, x, nullptr);
+  std::size_t unsolved = 0;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    EXPECT_NEAR(mass(level, c, x[i]), u[i] * mass(level, c, 1.0), 1e-14);
+    if (x[i] >= 0.5) continue;
+    const ParabolaCdf cdf(0.0, 1.0, 0.0, 4.0 * u[i]);
+    unsolved += !cdf.solvedBy(cdf.guess());
+  }
+  EXPECT_GT(unsolved, 10u);
+  EXPECT_LT(unsolved, kSamples);
 }
 
 }  // namespace

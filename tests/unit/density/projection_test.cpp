@@ -112,25 +112,5 @@ TEST(Clamp, RefusesWhatHasNoMean) {
   EXPECT_FALSE(clampCoefficients(haar.level(1), 0.1, c));
 }
 
-TEST(Refine, IsTheSameFunction) {
-  Uniforms random(15);
-  for (const char* name : kFamilies) {
-    const Family compiled = family(name);
-    for (uint32_t l = 0; l < 5; ++l) {
-      const BasisLevel& coarse = compiled.level(l);
-      std::pmr::vector<double> c(std::size_t{coarse.count} * coarse.count);
-      for (double& value : c) value = random();
-      const auto fine = refine(memory(), coarse, compiled.level(l + 1), c);
-      const SquareDensity before(coarse, c), after(compiled.level(l + 1), fine);
-      for (int i = 0; i < 200; ++i) {
-        const auto u = static_cast<float>(random());
-        const auto v = static_cast<float>(random());
-        ASSERT_NEAR(before.pdf(u, v), after.pdf(u, v), 1e-12) << name << " level " << l;
-      }
-      for (const double value : fine) ASSERT_GE(value, 0.0);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace awd

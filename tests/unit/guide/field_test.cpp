@@ -39,14 +39,14 @@ TEST(FieldSettings, PresetsFillWhatIsOpen) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   const FieldSettings standard = settle(desc, haarTable());
   EXPECT_EQ(standard.map, AWD_MAP_CONCENTRIC_COSINE);
-  EXPECT_EQ(standard.tau, 0.3);
+  EXPECT_EQ(standard.learning.tau, 0.3);
   EXPECT_EQ(standard.maxLevel, 3u);
   desc.preset = AWD_PRESET_PAPER;
   const FieldSettings paper = settle(desc, haarTable());
   EXPECT_EQ(paper.map, AWD_MAP_SPHERICAL);
   EXPECT_EQ(paper.startLevel, 2u);
   EXPECT_EQ(paper.maxLevel, 4u);
-  EXPECT_EQ(paper.tau, 0.05);
+  EXPECT_EQ(paper.learning.tau, 0.05);
   desc.maxLevel = AWD_LEVEL(1);
   EXPECT_EQ(settle(desc, haarTable()).startLevel, 1u);
   desc.startLevel = AWD_LEVEL(3);
