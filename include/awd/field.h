@@ -35,7 +35,7 @@ typedef struct AWDFieldDesc {
   double tau;
   AWDEstimator estimator; /* 0: paper */
   /* Of the estimator refit: the solver by name, "ceres" or "descent"; NULL: the module's first.
-     Both give the same coefficients. */
+     Both give the same coefficients. maxLevel may be at most what takes 2^28 bytes a patch. */
   const char* refitSolver;
   /* Of quasi and refit, as in AWDDensityDesc. */
   double shrinkage;

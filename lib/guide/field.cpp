@@ -25,6 +25,8 @@ constexpr double kPaperTau = 0.05;
 /// High, since one density serves a whole piece of surface, whose places see different light. With
 /// the concentric-cosine map the floor is a share of cosine sampling.
 constexpr double kDefaultTau = 0.3;
+/// That the sums of refit may take in a patch.
+constexpr std::size_t kMostRefitBytes = std::size_t{1} << 28;
 /// By default a patch is refined only when the finer level would have had this many samples a
 /// coefficient: below that its noise costs more than its detail brings.
 constexpr uint64_t kSamplesPerCoefficient = 8;
@@ -110,6 +112,13 @@ Field::Field(Ref<Context> context, const AWDBasisFamily& family, const FieldSett
   for (uint32_t l = settings.startLevel; l <= settings.maxLevel; ++l) {
     const BasisLevel* const levels[] = {&this->family().level(l), &this->family().level(l)};
     patterns_.push_back(NormalPattern::make(context_->memory(), levels, 2));
+    const std::size_t bytes = patterns_.back()->size() * sizeof(int64_t);
+    if (bytes > kMostRefitBytes) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "desc->maxLevel is level %u: at level %u the estimator refit would sum %zu bytes a "
+           "patch, at most %zu are allowed",
+           settings.maxLevel, l, bytes, kMostRefitBytes);
+    }
   }
 }
 

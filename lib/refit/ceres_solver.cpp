@@ -14,8 +14,8 @@ namespace awd {
 
 namespace {
 
-/// About 150 bytes each inside of Ceres.
-constexpr uint64_t kMostEntries = uint64_t{1} << 23;
+/// 200 bytes each inside of Ceres.
+constexpr uint64_t kMostEntries = uint64_t{1} << 22;
 
 constexpr uint32_t kMostRounds = 200;
 

@@ -9,7 +9,7 @@ namespace {
 
 /// Direct solution up to so many operations and entries at once; up to the second pair where
 /// conjugate gradients have failed.
-constexpr double kOperationsAtOnce = 0x1p31, kMostOperations = 0x1p37;
+constexpr double kOperationsAtOnce = 0x1p27, kMostOperations = 0x1p37;
 constexpr uint64_t kEntriesAtOnce = uint64_t{1} << 24, kMostEntries = uint64_t{1} << 27;
 
 /// Of a residual; who wants more digits solves for what is left.

@@ -159,6 +159,18 @@ TEST(FieldEstimators, UnknownSolversAreNamed) {
   expectFailure(awdNewField(device, &desc, &field), AWD_ERROR_UNSUPPORTED,
                 {"nonesuch", "ceres", "descent", "refit-1.so"});
 }
+
+/// 4098^2 coefficients with 15 products each.
+TEST(FieldEstimators, RefitsTooLargeAreRefused) {
+  const Device device = newDevice(1u);
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.basis = "quadratic-bspline";
+  desc.estimator = AWD_ESTIMATOR_REFIT;
+  desc.maxLevel = AWD_LEVEL(12);
+  AWDField field;
+  expectFailure(awdNewField(device, &desc, &field), AWD_ERROR_INVALID_ARGUMENT,
+                {"desc->maxLevel is level 12", "bytes a patch"});
+}
 #endif
 
 }  // namespace

@@ -43,9 +43,9 @@ class Moved : public testing::Test {
     ASSERT_EQ(newDevice(&desc, &device_), AWD_SUCCESS) << message_();
   }
 
-  AWDResult newField() {
+  AWDResult newField(const AWDFieldDesc* desc = nullptr) {
     AWDField field = nullptr;
-    const AWDResult result = newField_(device_, nullptr, &field);
+    const AWDResult result = newField_(device_, desc, &field);
     releaseField_(field);
     return result;
   }
@@ -78,6 +78,19 @@ TEST_F(Moved, ModulesMoveWithTheLibrary) {
   fs::copy(AWD_HAAR_FILE, folder_ / "awd/bases-1/haar.so");
   open(folder_ / "libawd.so.1");
   EXPECT_EQ(newField(), AWD_SUCCESS) << message_();
+}
+
+TEST_F(Moved, WithoutTheRefitModuleAllElseWorks) {
+  fs::create_directories(folder_ / "awd/bases-1");
+  fs::copy(AWD_HAAR_FILE, folder_ / "awd/bases-1/haar.so");
+  open(folder_ / "libawd.so.1");
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.estimator = AWD_ESTIMATOR_REFIT;
+  ASSERT_EQ(newField(&desc), AWD_ERROR_UNSUPPORTED);
+  EXPECT_EQ(message_(), "awdNewField: the estimator refit wants the refit module; tried \"" +
+                            fs::canonical(folder_).string() + "/awd/refit-1.so\" (does not exist)");
+  desc.estimator = AWD_ESTIMATOR_QUASI;
+  EXPECT_EQ(newField(&desc), AWD_SUCCESS) << message_();
 }
 
 TEST_F(Moved, OpenedByARelativePathItStillFindsItsOwn) {

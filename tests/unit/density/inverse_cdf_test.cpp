@@ -111,7 +111,7 @@ void compareWithAny(const char* name, Uniforms& random) {
   for (double& value : c) value = random() < 0.2 ? 0.0 : std::pow(10.0, 4.0 * random());
   const InverseCdf inverse(memory(), levels, shape, c);
   std::vector<double> u(kSamples * D), points(u.size()), pdfs(kSamples);
-  for (std::size_t i = 0; i < u.size(); ++i) u[i] = i < 5 * D ? kEnds[i / D] : random();
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = i / D < 5 ? kEnds[i / D] : random();
   inverse.sample<D>(c, kSamples, u.data(), points.data(), pdfs.data());
   for (std::size_t i = 0; i < kSamples; ++i) {
     double x[D];

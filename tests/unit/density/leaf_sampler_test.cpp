@@ -21,7 +21,7 @@ constexpr double kEnds[] = {0.0, 0x1p-1074, 0x1p-53, 0.5, 1.0 - 0x1p-53};
 /// Leaves of random coefficients, of several sizes, with zeros but none without mass.
 struct Leaves {
   Leaves(const std::vector<const char*>& names, uint32_t splits, Uniforms& random)
-      : tree(memory(), static_cast<uint32_t>(names.size())), levels{} {
+      : tree(memory(), static_cast<uint32_t>(names.size())) {
     const auto d = static_cast<uint32_t>(names.size());
     for (const char* name : names) families.push_back(family(name, 0));
     for (uint32_t a = 0; a < d; ++a) levels[a] = &families[a].level(0);
@@ -41,7 +41,7 @@ struct Leaves {
   }
   std::vector<Family> families;
   Tree tree;
-  const BasisLevel* levels[kMaxDimensions];
+  const BasisLevel* levels[kMaxDimensions] = {};
   Coefficients coefficients;
 };
 
