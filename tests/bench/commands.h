@@ -13,6 +13,7 @@ using Action = std::function<int()>;
 
 void addDensityCommand(CLI::App& program, Action& action);
 void addExtremesCommand(CLI::App& program, Action& action);
+void addRefitCommand(CLI::App& program, Action& action);
 void addWaveletsCommand(CLI::App& program, Action& action);
 #ifdef AWD_BENCH_GOOGLE
 void addSpeedCommand(CLI::App& program, Action& action);

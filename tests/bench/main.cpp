@@ -11,9 +11,8 @@ namespace {
 using AddCommand = void (*)(CLI::App& program, bench::Action& action);
 
 constexpr AddCommand kCommands[] = {
-    bench::addDensityCommand,
-    bench::addExtremesCommand,
-    bench::addWaveletsCommand,
+    bench::addDensityCommand, bench::addExtremesCommand,
+    bench::addRefitCommand,   bench::addWaveletsCommand,
 #ifdef AWD_BENCH_GOOGLE
     bench::addSpeedCommand,
 #endif

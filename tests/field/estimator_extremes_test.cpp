@@ -42,8 +42,10 @@ void expectSane(const Coefficients& density) {
   EXPECT_GT(*std::max_element(density.c.begin(), density.c.end()), 0.0);
 }
 
-/// Passes of no use, and of little: a density always, and figures that say what came.
+/// Passes of no use, and of little: a density always, figures that say what came, and nothing
+/// printed.
 TEST_P(EstimatorExtremes, BadData) {
+  testing::internal::CaptureStderr();
   struct Case {
     const char* what;
     size_t samples;
@@ -98,6 +100,7 @@ TEST_P(EstimatorExtremes, BadData) {
       }
     }
   }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 /// What is recorded must be what was drawn: these estimators go by place and pdf.

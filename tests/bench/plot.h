@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Line plots as small multiples, written as SVG and PNG by Cairo.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct PlotPoint {
+  double x, y;
+  double low, high;  ///< the interval of y; both y if there is none
+};
+
+struct PlotSeries {
+  std::string name;
+  std::vector<PlotPoint> points;  ///< ascending in x
+};
+
+struct PlotPanel {
+  std::string title;
+  std::vector<PlotSeries> series;
+};
+
+struct PlotAxis {
+  std::string label;  ///< with its unit
+  bool logarithmic = true;
+};
+
+/// Panels fill rows of `columns`; a panel without series stays empty.
+struct Plot {
+  std::string title, subtitle;
+  PlotAxis x, y;
+  std::size_t columns = 1;
+  /// Of series, in the order of colours and markers, so that plots can agree; others come after.
+  std::vector<std::string> names;
+  /// Panels of a row share the scale of y, and those of a column that of x; else each has its own.
+  bool shared = true;
+  std::vector<PlotPanel> panels;
+};
+
+/// Whether this program was built with Cairo.
+bool canPlot();
+
+/// FOLDER/name.svg and FOLDER/name.png, each whole or not at all. On logarithmic axes values that
+/// aren't positive are left out, as are those that aren't finite on any.
+void writePlot(const Plot& plot, const std::string& folder, const std::string& name);
+
+}  // namespace bench
