@@ -178,7 +178,7 @@ TEST(Density, ForgedBytesMakeADensityOrNone) {
   for (const Ref<Density>& original : someDensities()) {
     const Bytes bytes = original->bytesOf();
     const Ref<Context> context = newContext();
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 400; ++i) {
       SCOPED_TRACE(i);
       const Bytes odd = forged(bytes, random);
       try {
