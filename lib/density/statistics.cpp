@@ -90,7 +90,8 @@ bool DensityStatistics::sameSizes(const DensityStatistics& other) const {
 
 std::size_t DensityStatistics::bytes() const {
   return sizeof *this + tallies.capacity() * sizeof(Tally) + boxes.capacity() * sizeof(BoxTally) +
-         (sums.cross.capacity() + normal.products.capacity()) * sizeof(BinnedSum);
+         (sums.cross.capacity() + normal.products.capacity()) * sizeof(BinnedSum) +
+         (normal.pattern ? normal.pattern->bytes() : 0);
 }
 
 }  // namespace awd

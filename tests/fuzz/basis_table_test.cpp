@@ -32,14 +32,14 @@ TEST(BasisTables, HonestOnesAreAccepted) {
 TEST(BasisTables, RandomOnesNeverBreakAnything) {
   awdtest::Random random(19990621);
   int accepted = 0, refused = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     std::vector<uint8_t> bytes(12 + random.bits() % 60);
     for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random.bits());
     const Outcome outcome = tryBytes(bytes);
     ++(outcome.accepted ? accepted : refused);
   }
-  EXPECT_GT(accepted, 100) << "what is used";
-  EXPECT_GT(refused, 1000) << "what is refused";
+  EXPECT_GT(accepted, 50) << "what is used";
+  EXPECT_GT(refused, 500) << "what is refused";
 }
 
 }  // namespace
