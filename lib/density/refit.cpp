@@ -99,7 +99,7 @@ void NormalEquations::appendBlock(const double* block, std::size_t size) {
 }
 
 Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
-                   const RefitPrior& prior, double lambda, const Coefficients& guess,
+                   const RefitPrior& prior, double lambda, const Coefficients& start,
                    RefitReport& report) {
   const std::size_t n = prior.coefficients.size();
   Coefficients fallback(prior.coefficients, prior.coefficients.get_allocator());
@@ -115,11 +115,11 @@ Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
   NormalEquations scaled(equations);
   for (double& value : scaled.values) value *= rowScale;
   Coefficients lower(n, prior.least / mean, fallback.get_allocator());
-  Coefficients start(guess.empty() ? fallback : guess, fallback.get_allocator());
+  Coefficients begin(start.empty() ? fallback : start, fallback.get_allocator());
   for (std::size_t j = 0; j < n; ++j) {
     const double pull = lambda * prior.weights[j] * static_cast<double>(n);
     const double towards = prior.coefficients[j] / mean;
-    start[j] /= mean;
+    begin[j] /= mean;
     scaled.rhs[j] = scaled.rhs[j] * rowScale / mean + pull * towards;
     for (uint64_t i = scaled.rowBegin[j]; i < scaled.rowBegin[j + 1]; ++i) {
       if (scaled.columns[i] == j) scaled.values[i] += pull;
@@ -134,7 +134,7 @@ Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
   problem.values = scaled.values.data();
   problem.rhs = scaled.rhs.data();
   problem.lower = lower.data();
-  problem.start = start.data();
+  problem.start = begin.data();
   problem.progress = refitter.progress;
   problem.user = refitter.user;
   AWDRefitOutcome outcome = {};
@@ -169,7 +169,7 @@ Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
   if (kappa >= 0.0) {
     return refit(refitter, equations, prior, refitLambda(kappa, n, samples), none, report);
   }
-  const Coefficients first =
+  Coefficients first =
       refit(refitter, equations, prior, refitLambda(kFirstKappa, n, samples), none, report);
   if (report.status == AWD_REFIT_FAILED) return first;
   const uint32_t iterations = report.iterations;
@@ -178,7 +178,7 @@ Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
   const double noise =
       std::min(report.objective / freedom, relativeResidual(equations, prior.coefficients));
   const double lambda = refitLambda(kKappaOfNoise * std::min(noise, 1.0), n, samples);
-  const Coefficients second = refit(refitter, equations, prior, lambda, first, report);
+  Coefficients second = refit(refitter, equations, prior, lambda, first, report);
   report.iterations += iterations;
   return second;
 }

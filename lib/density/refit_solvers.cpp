@@ -78,14 +78,15 @@ const AWDRefitSolver& findRefitSolver(const std::vector<std::string>& folders, c
     std::string why;
     const AWDRefitModule* module = open(file, why);
     if (!module) {
-      tried += (tried.empty() ? " \"" : ", \"") + file + "\" (" + why + ")";
+      tried.append(tried.empty() ? " \"" : ", \"").append(file).append("\" (");
+      tried.append(why).append(")");
       continue;
     }
     if (!name) return *module->solvers[0];
     std::string names;
     for (uint32_t i = 0; i < module->solverCount; ++i) {
       if (std::strcmp(module->solvers[i]->name, name) == 0) return *module->solvers[i];
-      names += (i > 0 ? ", " : "") + printable(module->solvers[i]->name, kLongestName);
+      names.append(i > 0 ? ", " : "").append(printable(module->solvers[i]->name, kLongestName));
     }
     fail(AWD_ERROR_UNSUPPORTED, "there is no refit solver \"%s\": \"%s\" has %s",
          printable(name, kLongestName).c_str(), file.c_str(), names.c_str());
