@@ -22,7 +22,7 @@ inline std::string nameOfEstimator(const testing::TestParamInfo<AWDEstimator>& i
   return names[info.param];
 }
 
-class Estimators : public testing::TestWithParam<AWDEstimator> {
+class Estimators : public FedField<AWDEstimator> {
  protected:
   AWDFieldDesc desc(const char* basis, uint32_t startLevel, uint32_t maxLevel, double tau = 0.0) {
     AWDFieldDesc result = fieldDesc(AWD_MAP_CONCENTRIC_COSINE, startLevel, maxLevel, tau);
@@ -30,13 +30,6 @@ class Estimators : public testing::TestWithParam<AWDEstimator> {
     result.basis = basis;
     return result;
   }
-  void begin(const AWDFieldDesc& desc) { field_ = newField(device_, &desc); }
-  void record(size_t samples, Random& random,
-              const std::function<double(double, double)>& function) {
-    recordPass(field_, kPatch, samples, random, function);
-  }
-  Device device_ = newDevice(1u);
-  Field field_;
 };
 
 }  // namespace awdtest

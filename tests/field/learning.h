@@ -17,18 +17,23 @@ inline double steps(double u, double v) {
   return (1.0 + (7 * cell) % 16) / 8.5;
 }
 
-class Learning : public testing::TestWithParam<AWDHemisphereMap> {
+template <class Param>
+class FedField : public testing::TestWithParam<Param> {
  protected:
-  void begin(uint32_t startLevel, uint32_t maxLevel, double tau) {
-    const AWDFieldDesc desc = fieldDesc(GetParam(), startLevel, maxLevel, tau);
-    field_ = newField(device_, &desc);
-  }
+  void begin(const AWDFieldDesc& desc) { field_ = newField(device_, &desc); }
   void record(size_t samples, Random& random,
               const std::function<double(double, double)>& function) {
     recordPass(field_, kPatch, samples, random, function);
   }
   Device device_ = newDevice(1u);
   Field field_;
+};
+
+class Learning : public FedField<AWDHemisphereMap> {
+ protected:
+  void begin(uint32_t startLevel, uint32_t maxLevel, double tau) {
+    FedField::begin(fieldDesc(GetParam(), startLevel, maxLevel, tau));
+  }
 };
 
 }  // namespace awdtest
