@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "density/refit_learning.h"
+
 namespace awd {
 
 namespace {
@@ -99,39 +101,23 @@ class Cascade {
   const LearningSettings& settings_;
 };
 
-/// The refit on the level that was recorded, pulled towards the cascade; zeros if that is of no
-/// use.
+/// The refit on the level that was recorded, pulled towards the cascade.
 Coefficients refitGrid(const DensityBases& bases, const LearningSettings& settings,
                        const Levels& levels, const LevelSums& sums,
                        const DensityStatistics& statistics, LearningReport& report) {
   const auto samples = static_cast<double>(statistics.sums.samples);
-  const auto n = static_cast<double>(sums.shape.size());
   Levels reached = levels;
-  Coefficients prior = Cascade(bases, settings).run(sums, samples, reached, report.estimatedLevels);
-  prior = refineTo(bases, reached, levels, prior);
-  const double mean = meanOf(bases, levels, prior);
-  if (!(mean > 0.0) || !std::isfinite(mean)) return {prior.size(), 0.0, prior.get_allocator()};
-
-  const double tau = settleTau(settings.tau, report.estimator, !bases.constant(),
-                               settings.shrinkage > 0.0, samples, n);
-  double least = tau * mean;
-  if (settings.target == AWD_TARGET_RMS) {  // what is fitted is f^2
-    least *= least;
-    for (double& c : prior) c *= c;
-  }
+  Coefficients c = Cascade(bases, settings).run(sums, samples, reached, report.estimatedLevels);
+  c = refineTo(bases, reached, levels, c);
   const BasisLevel* tables[kMaxDimensions];
   bases.tables(levels, tables);
-  Coefficients weights(prior.size(), 1.0, prior.get_allocator());
+  Coefficients weights(c.size(), 1.0, c.get_allocator());
   timesWeights(tables, sums.shape, weights);
-  NormalEquations equations(prior.get_allocator().resource());
+  NormalEquations equations(c.get_allocator().resource());
   equations.takeMatrix(*statistics.normal.pattern, statistics.normal.products, sums.weightExponent);
   equations.rhs = sums.value;
   equations.energy = statistics.normal.energy.plain(2 * sums.valueExponent - sums.weightExponent);
-  Coefficients c = refit(settings.refitter, equations, {prior, weights, least},
-                         settings.refitShrinkage, samples, report.refit);
-  if (settings.target == AWD_TARGET_RMS) {
-    for (double& value : c) value = std::sqrt(value);
-  }
+  refitFromCascade(settings, !bases.constant(), samples, equations, weights, c, report.refit);
   return c;
 }
 

@@ -8,6 +8,7 @@
 #include "density/energy.h"
 #include "density/estimators.h"
 #include "density/leaf_sampler.h"
+#include "density/refit_learning.h"
 #include "density/tree_matrices.h"
 #include "density/tree_sums.h"
 
@@ -249,8 +250,7 @@ void TreeLearner::refitBoxes(LearningReport& report) {
   const std::size_t n = open_.size() * size_;
   const TreeMatrices matrices(bases_, old_, statistics_.normal, sums_.weightExponent());
   NormalEquations equations(memory_);
-  Coefficients prior(n, 0.0, memory_), weights(n, 1.0, memory_), block(memory_);
-  double mean = 0.0;
+  Coefficients c(n, 0.0, memory_), weights(n, 1.0, memory_), block(memory_);
   for (std::size_t i = 0; i < open_.size(); ++i) {
     const Box& box = open_[i];
     double volume = 1.0;
@@ -267,24 +267,13 @@ void TreeLearner::refitBoxes(LearningReport& report) {
       for (uint32_t a = 0; a < shape_.dimensions; ++a) {
         weight *= old_.levels()[a]->weights[j / shape_.stride(a) % shape_.count[a]];
       }
-      double& c = prior[i * size_ + j];
-      c = pool_[box.coefficients + j];
-      mean += weight * c;
-      if (settings_.target == AWD_TARGET_RMS) c *= c;  // what is fitted is f^2
+      c[i * size_ + j] = pool_[box.coefficients + j];
     }
   }
   equations.energy =
       statistics_.normal.energy.plain(2 * sums_.valueExponent() - sums_.weightExponent());
-  const auto unknowns = static_cast<double>(n);
-  double least = mean * settleTau(settings_.tau, settings_.estimator, !bases_.constant(),
-                                  settings_.shrinkage > 0.0, samples_, unknowns);
-  if (settings_.target == AWD_TARGET_RMS) least *= least;
-  const Coefficients c = refit(settings_.refitter, equations, {prior, weights, least},
-                               settings_.refitShrinkage, samples_, report.refit);
-  for (std::size_t i = 0; i < n; ++i) {
-    pool_[open_[i / size_].coefficients + i % size_] =
-        settings_.target == AWD_TARGET_RMS ? std::sqrt(c[i]) : c[i];
-  }
+  refitFromCascade(settings_, !bases_.constant(), samples_, equations, weights, c, report.refit);
+  for (std::size_t i = 0; i < n; ++i) pool_[open_[i / size_].coefficients + i % size_] = c[i];
 }
 
 uint32_t TreeLearner::bestAxis(const Box& box) const {
