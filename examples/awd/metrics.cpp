@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -57,7 +56,7 @@ RgbImage boxFilter(const RgbImage& image, uint32_t factor) {
   return result;
 }
 
-Metrics compareImages(const RgbImage& image, const RgbImage& reference) {
+Metrics compareImages(const RgbImage& image, const RgbImage& reference, const RgbImage& variance) {
   Metrics metrics;
   metrics.mean = meanColor(image);
   metrics.meanReference = meanColor(reference);
@@ -66,17 +65,22 @@ Metrics compareImages(const RgbImage& image, const RgbImage& reference) {
   const double floor = 0.01 * meanOfAll * meanOfAll;
 
   const std::size_t pixels = reference.values.size() / 3;
-  std::vector<double> terms(pixels);
+  struct Term {
+    double seen, noise;  // noise: what the reference's variance contributes
+  };
+  std::vector<Term> terms(pixels);
   double absolute = 0.0;
   for (std::size_t i = 0; i < pixels; ++i) {
-    double squaredError = 0.0, squaredReference = 0.0;
+    double squaredError = 0.0, squaredReference = 0.0, noise = 0.0;
     for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
       const double error = static_cast<double>(image.values[c]) - reference.values[c];
       absolute += std::abs(error);
       squaredError += error * error;
       squaredReference += static_cast<double>(reference.values[c]) * reference.values[c];
+      if (!variance.values.empty()) noise += variance.values[c];
     }
-    terms[i] = squaredError / 3.0 / (squaredReference / 3.0 + floor);
+    const double scale = 1.0 / (squaredReference + 3.0 * floor);
+    terms[i] = {squaredError * scale, noise * scale};
   }
   metrics.l1 = absolute / static_cast<double>(3 * pixels);
   if (!(floor > 0.0)) {
@@ -85,10 +89,13 @@ Metrics compareImages(const RgbImage& image, const RgbImage& reference) {
   }
   const std::size_t dropped = pixels / 1000;
   const auto firstKept = terms.begin() + static_cast<std::ptrdiff_t>(dropped);
-  std::nth_element(terms.begin(), firstKept, terms.end(), std::greater<>());
-  const double kept = std::accumulate(firstKept, terms.end(), 0.0);
+  std::nth_element(terms.begin(), firstKept, terms.end(),
+                   [](const Term& a, const Term& b) { return a.seen > b.seen; });
+  const auto add = [](double sum, const Term& term) { return sum + (term.seen - term.noise); };
+  const double kept = std::accumulate(firstKept, terms.end(), 0.0, add);
   metrics.relMseTrimmed = kept / static_cast<double>(pixels - dropped);
-  metrics.relMse = std::accumulate(terms.begin(), firstKept, kept) / static_cast<double>(pixels);
+  metrics.relMse =
+      std::accumulate(terms.begin(), firstKept, kept, add) / static_cast<double>(pixels);
   return metrics;
 }
 

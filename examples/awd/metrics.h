@@ -36,7 +36,10 @@ struct Metrics {
   std::array<double, 3> mean = {}, meanReference = {};
 };
 
-/// Both of one size and with at least one pixel, all finite.
-Metrics compareImages(const RgbImage& image, const RgbImage& reference);
+/// Both of one size and with at least one pixel, all finite. `variance`, unless it is empty, is
+/// that of the reference's own values: taken off the squares, so that relative errors are those
+/// against what the reference estimates, and may be negative.
+Metrics compareImages(const RgbImage& image, const RgbImage& reference,
+                      const RgbImage& variance = {});
 
 }  // namespace command

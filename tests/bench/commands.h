@@ -13,6 +13,9 @@ using Action = std::function<int()>;
 
 void addDensityCommand(CLI::App& program, Action& action);
 void addExtremesCommand(CLI::App& program, Action& action);
+#ifdef AWD_BENCH_SCENES
+void addGuideCommand(CLI::App& program, Action& action);
+#endif
 void addRefitCommand(CLI::App& program, Action& action);
 void addWaveletsCommand(CLI::App& program, Action& action);
 #ifdef AWD_BENCH_GOOGLE

@@ -13,6 +13,9 @@ using AddCommand = void (*)(CLI::App& program, bench::Action& action);
 constexpr AddCommand kCommands[] = {
     bench::addDensityCommand, bench::addExtremesCommand,
     bench::addRefitCommand,   bench::addWaveletsCommand,
+#ifdef AWD_BENCH_SCENES
+    bench::addGuideCommand,
+#endif
 #ifdef AWD_BENCH_GOOGLE
     bench::addSpeedCommand,
 #endif

@@ -21,8 +21,6 @@
 namespace bench {
 namespace {
 
-using refit::Row;
-
 struct Options {
   std::string folder;
   std::vector<std::string> parts;
@@ -80,7 +78,7 @@ void compareRenders(const Options& options, const std::vector<refit::Method>& me
         return !command::wasInterrupted();
       },
       command::wasInterrupted);
-  refit::writeRows(headOf(options), rows, options.folder, "refit-render");
+  writeRows(headOf(options), rows, options.folder, "refit-render");
   refit::printScenes(rows);
   if (canPlot()) refit::plotScenes(rows, options.folder);
 }
@@ -109,7 +107,7 @@ int run(const Options& options) {
                                               });
     rows.insert(rows.end(), more.begin(), more.end());
     // After each part: what is lost to whatever ends the program is one of them.
-    refit::writeRows(headOf(options), rows, options.folder, "refit");
+    writeRows(headOf(options), rows, options.folder, "refit");
     refit::printSummary(part, more);
     std::fflush(stdout);
   }

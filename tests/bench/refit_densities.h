@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "refit_row.h"
 #include "refit_trial.h"
+#include "row.h"
 
 namespace bench::refit {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "refit_row.h"
+#include "row.h"
 
 namespace bench::refit {
 

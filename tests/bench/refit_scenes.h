@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "refit_row.h"
 #include "refit_trial.h"
+#include "render_shots.h"
+#include "row.h"
 
 namespace bench::refit {
 
@@ -22,8 +23,6 @@ struct SceneOptions {
 
 /// Called before each image with those done and all; false: stop here.
 using SceneWatch = std::function<bool(std::size_t done, std::size_t all)>;
-/// Whether to give up what is being rendered.
-using Cancelled = bool (*)();
 
 /// A row for each scene, basis, method and number of samples, up to where `watch` said to stop.
 /// Errors are those against a reference: the one beside the scene, else one made by unguided

@@ -49,6 +49,23 @@ TEST(Metrics, TrimmingDropsTheWorstThousandth) {
   EXPECT_NEAR(metrics.relMseTrimmed, 1.0 / 1.01 / 2498.0, 1e-15);
 }
 
+TEST(Metrics, TheReferencesVarianceIsTakenOffWhatIsKept) {
+  const RgbImage reference = filled(50, 50, 1.0f);
+  RgbImage image = filled(50, 50, 2.0f);
+  RgbImage variance = filled(50, 50, 0.25f);
+  for (std::size_t c = 0; c < 3; ++c) {
+    image.values[3 * 17 + c] = 101.0f;
+    image.values[3 * 1200 + c] = 11.0f;
+    // Dropped for what is seen, not for what is left of it.
+    variance.values[3 * 17 + c] = 20000.0f;
+  }
+  const Metrics metrics = compareImages(image, reference, variance);
+  const double kept = 2498.0 * 0.75 / 1.01;
+  EXPECT_NEAR(metrics.relMseTrimmed, kept / 2498.0, 1e-12);
+  EXPECT_NEAR(metrics.relMse, (kept + (10000.0 - 20000.0 + 99.75) / 1.01) / 2500.0, 1e-12);
+  EXPECT_DOUBLE_EQ(metrics.l1, (2498.0 + 100.0 + 10.0) / 2500.0);
+}
+
 TEST(Metrics, RelativeErrorAgainstBlackIsUndefined) {
   const Metrics metrics = compareImages(filled(2, 2, 1.0f), filled(2, 2, 0.0f));
   EXPECT_EQ(metrics.l1, 1.0);

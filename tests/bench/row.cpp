@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "refit_row.h"
+#include "row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "write_file.h"
 
-namespace bench::refit {
+namespace bench {
 namespace {
 
 /// Of sorted values, linear between neighbours.
@@ -77,4 +77,4 @@ void writeRows(const Row& head, const std::vector<Row>& rows, const std::string&
   command::writeFile(path + ".csv", csvOf(rows));
 }
 
-}  // namespace bench::refit
+}  // namespace bench

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bench::refit {
+namespace bench {
 
 /// Median and quartiles.
 struct Spread {
@@ -28,4 +28,4 @@ void setSpread(Row& row, const std::string& name, const Spread& spread);
 void writeRows(const Row& head, const std::vector<Row>& rows, const std::string& folder,
                const std::string& name);
 
-}  // namespace bench::refit
+}  // namespace bench

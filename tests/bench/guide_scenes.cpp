@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "guide_scenes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace bench::guide {
+namespace {
+
+using SceneFiles = std::map<std::string, std::string>;
+
+[[noreturn]] void failUnknown(const std::string& name, const SceneFiles& all) {
+  std::string message = "no scene " + name + "; there are";
+  for (const auto& [other, file] : all) message.append(" ").append(other);
+  throw std::runtime_error(message);
+}
+
+SceneFiles chosenScenes(const Options& options) {
+  SceneFiles all = sceneFiles(options.moreScenes);
+  if (options.only.empty()) return all;
+  SceneFiles chosen;
+  for (const std::string& name : options.only) {
+    const auto found = all.find(name);
+    if (found == all.end()) failUnknown(name, all);
+    chosen.insert(*found);
+  }
+  return chosen;
+}
+
+class Comparison {
+ public:
+  Comparison(const Options& options, Report& report, Cancelled cancelled)
+      : options_(options),
+        report_(report),
+        cancelled_(cancelled),
+        device_(newRenderDevice(options.threads, cancelled)) {
+    for (const std::string& name : options.names) {
+      methods_.push_back(&methodNamed(name));
+      settings_.emplace_back();
+      methods_.back()->change(settings_.back());
+    }
+  }
+
+  /// False: cancelled.
+  bool measure(const std::string& name, const std::string& file) {
+    std::optional<Reference> reference;
+    if (!options_.references.empty()) {
+      reference = averageReference(device_.get(), options_.references, name);
+      if (!reference) {
+        std::fprintf(stderr, "%s is left out: no %s/%s-*.exr\n", name.c_str(),
+                     options_.references.c_str(), name.c_str());
+        return true;
+      }
+    }
+    LoadedScene loaded =
+        loadScene(device_, name, file, reference ? reference->mean.width : options_.width);
+    if (!reference) {
+      if (!takeReference(device_, options_.folder, options_.referenceSamples, loaded)) return false;
+    } else if (reference->mean.height != loaded.camera.height) {
+      throw std::runtime_error("the reference of " + name + " is not of its camera's aspect");
+    } else {
+      loaded.reference = std::move(*reference);
+    }
+    report_.begin(loaded);
+    return std::all_of(options_.samples.begin(), options_.samples.end(),
+                       [&](uint32_t samples) { return measure(loaded, samples); });
+  }
+
+ private:
+  bool measure(const LoadedScene& loaded, uint32_t samples) {
+    std::vector<std::vector<Shot>> shots(methods_.size());
+    const auto report = [&](std::size_t i) {
+      report_.add(samples, *methods_[i], shots[i], i == 0 ? nullptr : shots.data());
+    };
+    bool complete = true;
+    // The methods of a seed after each other: what else the machine does meets them alike.
+    for (int seed = 1; seed <= options_.seeds && complete; ++seed) {
+      for (std::size_t i = 0; i < methods_.size() && complete; ++i) {
+        Shot shot = {};
+        complete = !cancelled_() &&
+                   shoot(device_, loaded, settings_[i], samples, static_cast<uint64_t>(seed), shot);
+        if (complete) shots[i].push_back(shot);
+        if (complete && seed == options_.seeds) report(i);
+      }
+    }
+    for (std::size_t i = 0; i < methods_.size() && !complete; ++i) {
+      if (!shots[i].empty() && shots[i].size() < static_cast<std::size_t>(options_.seeds)) {
+        report(i);
+      }
+    }
+    report_.write(false);
+    return complete;
+  }
+
+  const Options& options_;
+  Report& report_;
+  Cancelled cancelled_;
+  command::Device device_;
+  std::vector<const Method*> methods_;
+  std::vector<Settings> settings_;
+};
+
+}  // namespace
+
+bool measureScenes(const Options& options, Report& report, Cancelled cancelled) {
+  Comparison comparison(options, report, cancelled);
+  for (const auto& [name, file] : chosenScenes(options)) {
+    if (!comparison.measure(name, file)) return false;
+  }
+  return true;
+}
+
+}  // namespace bench::guide
