@@ -31,7 +31,8 @@ AWDPatchInfo patchInfo(const Field& field, uint32_t patch) {
   return info;
 }
 
-std::string describe(uint32_t patch) {
+std::string describe(uint32_t patch, bool spatial) {
+  if (spatial) return "patch " + std::to_string(patch);
   return "patch " + std::to_string(patch & ~AWD_PATCH_BACK) +
          (patch & AWD_PATCH_BACK ? ", back side" : ", front side");
 }
@@ -58,7 +59,8 @@ PdfRequest::PdfRequest(const std::string& text) : text_("--pdf " + text) {
   file_ = rest.substr(1);
 }
 
-void PdfRequest::resolve(const Scene& scene, const Render& render) {
+void PdfRequest::resolve(const Scene& scene, const Render& render, bool spatial) {
+  spatial_ = spatial;
   if (kind_ == kPixel) {
     uint32_t width = 0, height = 0;
     check(awdGetFilmInfo(render.get(), &width, &height, nullptr));
@@ -70,18 +72,20 @@ void PdfRequest::resolve(const Scene& scene, const Render& render) {
     if (patch_ == AWD_INVALID_ID) throw UsageError(text_ + ": nothing is seen in that pixel");
     return;
   }
+  if (spatial) return;  // what numbers there will be is not known yet
   if (!hasPatch(scene, patch_)) throw UsageError(text_ + ": the scene has no such patch");
   if (kind_ == kBackSide) patch_ |= AWD_PATCH_BACK;
 }
 
-void PdfRequest::write(const Field& field) const {
+void PdfRequest::write(const Render& render, const Field& field) const {
   uint32_t patch = patch_;
-  if (kind_ == kEitherSide && patchInfo(field, patch).learned == 0 &&
+  if (kind_ == kPixel) check(awdGetPixelPatch(render.get(), x_, y_, &patch));
+  if (kind_ == kEitherSide && !spatial_ && patchInfo(field, patch).learned == 0 &&
       patchInfo(field, patch | AWD_PATCH_BACK).learned > 0) {
     patch |= AWD_PATCH_BACK;
   }
   const bool learned = patchInfo(field, patch).learned > 0;
-  note(file_ + ": " + describe(patch) +
+  note(file_ + ": " + describe(patch, spatial_) +
        (learned ? "" : ", which has learned nothing: its start density"));
   Image image;
   check(awdNewPatchImage(field.get(), patch, kImageSize, image.out()));

@@ -17,16 +17,18 @@ class PdfRequest {
 
   const std::string& file() const { return file_; }
 
-  /// Finds the patch, before any work is done. Throws a UsageError if there is none.
-  void resolve(const Scene& scene, const Render& render);
+  /// Finds the patch, before any work is done. Throws a UsageError if there is none. spatial:
+  /// patches are the library's, so that only pixels can be told from one another yet.
+  void resolve(const Scene& scene, const Render& render, bool spatial);
 
   /// Writes the picture. If no side was asked for it shows the front side, or the back side if
   /// that alone has learned, and notes which.
-  void write(const Field& field) const;
+  void write(const Render& render, const Field& field) const;
 
  private:
   std::string text_, file_;
   enum { kEitherSide, kBackSide, kPixel } kind_ = kEitherSide;
+  bool spatial_ = false;
   uint32_t x_ = 0, y_ = 0, patch_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -30,10 +31,12 @@ void checkOutputs(const RenderOptions& options) {
 }
 
 /// None unless the render is adaptive.
-Field makeField(const Device& device, const RenderOptions& options) {
+Field makeField(const Device& device, const RenderOptions& options, const AWDSceneInfo& scene) {
   Field field;
   if (!options.isAdaptive()) return field;
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  std::copy(scene.lower, scene.lower + 3, desc.lower);
+  std::copy(scene.upper, scene.upper + 3, desc.upper);
   desc.preset = options.presetValue();
   desc.basis = options.basis ? options.basis->c_str() : nullptr;
   if (options.level) desc.maxLevel = AWD_LEVEL(*options.level);
@@ -126,7 +129,8 @@ int render(RenderOptions& options, const std::string& commandLine) {
   ProgressBar bar;
   bar.setPassCount(options.schedule.samplesPerPass.size());
   const Device device = openDevice(options.device, &bar);
-  const Field field = makeField(device, options);  // an unknown basis shows before a long load
+  // An unknown basis shows before a long load.
+  makeField(device, options, AWD_SCENE_INFO_INIT);
 
   const SceneData data = loadScene(options.scene);
   AWDCamera camera = chooseCamera(options.camera, options.scene, data);
@@ -138,8 +142,12 @@ int render(RenderOptions& options, const std::string& commandLine) {
     return kInterrupted;
   }
 
+  AWDSceneInfo info = AWD_SCENE_INFO_INIT;
+  check(awdGetSceneInfo(scene.get(), &info));
+  const Field field = makeField(device, options, info);
   const Render render = makeRender(scene, field, camera, options);
-  for (PdfRequest& pdf : options.pdfs) pdf.resolve(scene, render);
+  for (PdfRequest& pdf : options.pdfs)
+    pdf.resolve(scene, render, options.presetValue() != AWD_PRESET_PAPER);
   const bool complete = finished(renderPasses(render, options.schedule), options.scene);
   clearStatus();
   if (!complete) {
@@ -151,7 +159,7 @@ int render(RenderOptions& options, const std::string& commandLine) {
     if (passes == 0) return kInterrupted;
   }
   writeImage(render, options, commandLine);
-  for (const PdfRequest& pdf : options.pdfs) pdf.write(field);
+  for (const PdfRequest& pdf : options.pdfs) pdf.write(render, field);
   if (options.json) writeStatistics(render, field, camera, options);
   return complete ? kDone : kInterrupted;
 }

@@ -11,8 +11,9 @@ namespace command {
 
 namespace {
 
-/// In the order of AWD_ESTIMATOR_..., from AWD_ESTIMATOR_PAPER on.
-const std::vector<std::string> kEstimators = {"paper", "mixture", "ratio", "quasi", "refit"};
+/// In the order of AWD_ESTIMATOR_...
+const std::vector<std::string> kEstimators = {"default", "paper", "mixture", "ratio",
+                                              "quasi",   "refit", "lumped"};
 
 }  // namespace
 
@@ -91,7 +92,7 @@ AWDPreset RenderOptions::presetValue() const {
 
 AWDEstimator RenderOptions::estimatorValue() const {
   const auto found = std::find(kEstimators.begin(), kEstimators.end(), estimator);
-  return AWD_ESTIMATOR_PAPER + static_cast<AWDEstimator>(found - kEstimators.begin());
+  return static_cast<AWDEstimator>(found - kEstimators.begin());
 }
 
 }  // namespace command

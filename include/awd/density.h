@@ -40,13 +40,6 @@ enum { AWD_TARGET_DEFAULT = 0, AWD_TARGET_MEAN = 1, AWD_TARGET_RMS = 2 };
 typedef int32_t AWDSampler;
 enum { AWD_SAMPLER_DEFAULT = 0, AWD_SAMPLER_INVERSE_CDF = 1, AWD_SAMPLER_COMPONENT = 2 };
 
-/* How the passes' estimates of int f combine: by their sample counts (unbiased; default), or by
-   m_k / V_k, V_k the variance of pass k as the last pass's samples see it (consistent, smaller
-   error, a slight bias): V_k = mean of f^2 / (p_k p_last) - mean^2, at least 1e-3 mean^2. The
-   latter keeps the densities of the last 16 passes. */
-typedef int32_t AWDCombination;
-enum { AWD_COMBINE_DEFAULT = 0, AWD_COMBINE_COUNT = 1, AWD_COMBINE_CROSS_VARIANCE = 2 };
-
 /* One axis. This struct is part of others and never grows. */
 typedef struct AWDDensityAxis {
   const char* basis;   /* family; NULL: "linear-bspline" on a grid, "haar" in a tree */

@@ -9,6 +9,8 @@
  * A density lives on the unit square; a hemisphere map carries it to directions in the tangent
  * frame of the normal n. With p the density on the square, the pdf in solid angle is
  *   spherical          theta = pi u/2, phi = 2 pi v:          p / (pi^2 sin theta)
+ *   cylindrical        cos(theta) = u, phi = 2 pi v:          p / (2 pi)
+ *   cosine             sin(theta)^2 = u, phi = 2 pi v:        p cos(theta) / pi
  *   concentric-cosine  equal-area square to disk to dome:     p cos(theta) / pi
  */
 #ifndef AWD_FIELD_H
@@ -21,32 +23,66 @@ extern "C" {
 #endif
 
 typedef int32_t AWDHemisphereMap;
-enum { AWD_MAP_DEFAULT = 0, AWD_MAP_SPHERICAL = 1, AWD_MAP_CONCENTRIC_COSINE = 2 };
+enum {
+  AWD_MAP_DEFAULT = 0,
+  AWD_MAP_SPHERICAL = 1,
+  AWD_MAP_CONCENTRIC_COSINE = 2,
+  AWD_MAP_CYLINDRICAL = 3,
+  AWD_MAP_COSINE = 4
+};
+
+/* Which patches there are. */
+typedef int32_t AWDPatches;
+enum {
+  AWD_PATCHES_DEFAULT = 0, /* spatial if there is a box, but for the preset paper */
+  /* The library's own, found by awdFindPatch: the leaves of binary trees over positions, a tree for
+     each of six dominant directions of normals. A leaf of many samples is split, and its halves
+     begin with what it knew. */
+  AWD_PATCHES_SPATIAL = 1,
+  AWD_PATCHES_HOST = 2 /* the host's numbers, or those of the scene's triangles */
+};
 
 typedef struct AWDFieldDesc {
   size_t structSize;
   AWDPreset preset; /* settles every setting that is 0 below */
   AWDHemisphereMap map;
-  const char* basis;   /* name of a family; NULL: "haar" */
+  const char* basis;   /* name of a family; NULL: "linear-bspline"; "haar" in the preset paper */
   uint32_t startLevel; /* AWD_LEVEL(l) of a density's first pass, or 0 */
   uint32_t maxLevel;   /* AWD_LEVEL(l) beyond which nothing is refined, or 0 */
   /* Coefficients below tau times the mean density are raised to it, 0 < tau <= 1; 0: the
-     preset's (paper: 0.05; default: 0.3); negative: no floor, which risks infinite variance. */
+     preset's (paper: 0.05; default: none for the estimator lumped, which has alpha, 0.3 for the
+     others); negative: no floor, which risks infinite variance where there is no alpha. */
   double tau;
-  AWDEstimator estimator; /* 0: paper */
+  AWDEstimator estimator; /* 0: lumped; paper in the preset of that name */
   /* Of the estimator refit: the solver by name, "ceres" or "descent"; NULL: the module's first.
      Both give the same coefficients. maxLevel may be at most what takes 2^28 bytes a patch. */
   const char* refitSolver;
   /* Of quasi and refit, as in AWDDensityDesc. */
   double shrinkage;
+  AWDPatches patches;
+  float lower[3]; /* box of the positions of spatial patches, in the host's units; a render sets */
+  float upper[3]; /* that of its scene in a field of its own. Both 0: no box */
+  /* A spatial patch that has had more samples is split; 0: 2000. */
+  uint32_t patchSamples;
+  /* Share of the map's constant density, which with the cosine maps is cosine sampling, in every
+     learned density; it grows where samples are few. 0: 0.1 for the estimator lumped, else none;
+     negative: none; at most 1. */
+  double alpha;
+  uint64_t maxBytes; /* patches are no longer split when the field holds so much; 0: no limit */
 } AWDFieldDesc;
 
 #ifdef __cplusplus
 #define AWD_FIELD_DESC_INIT                                                                        \
-  AWDFieldDesc { sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0, 0, nullptr, 0.0 }
+  AWDFieldDesc {                                                                                   \
+    sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0, 0, nullptr, 0.0, 0, {0.0f, 0.0f, 0.0f},      \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u                                                            \
+  }
 #else
 #define AWD_FIELD_DESC_INIT                                                                        \
-  { sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0, 0, NULL, 0.0 }
+  {                                                                                                \
+    sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0, 0, NULL, 0.0, 0, {0.0f, 0.0f, 0.0f},            \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u                                                            \
+  }
 #endif
 
 /* Makes an empty field; desc NULL: all defaults. AWD_ERROR_UNSUPPORTED when there is no such
@@ -56,6 +92,13 @@ AWD_EXPORT AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* 
                                           AWDField* field) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdRetainField(AWDField field) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseField(AWDField field) AWD_NOEXCEPT;
+
+/* The number of the spatial patch at a point of a surface with the unit normal on the side of the
+   ray, until the next adapt. A number also tells in which eighth of its patch the point lies, so
+   that patches are split where their samples were: numbers that agree but for their three lowest
+   bits are one patch. Free, but not while the field adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdFindPatch(AWDField field, const float position[3],
+                                           const float normal[3], uint32_t* patch) AWD_NOEXCEPT;
 
 /* A direction drawn from a patch. This struct never grows. */
 typedef struct AWDDirectionSample {
@@ -98,20 +141,27 @@ typedef struct AWDFieldStatistics {
   uint64_t coefficients;    /* of all their densities */
   uint64_t bytes;           /* memory held by the field */
   uint64_t samples;         /* recorded by the pass that the last adapt ended */
-  uint64_t rejected;        /* of these: NaN, infinite or negative */
+  uint64_t rejected;        /* of these: NaN, infinite or negative, or of a bad pdf */
   uint64_t saturated;       /* of these: too large for the scale, clamped */
   uint64_t kept;            /* patches whose samples were of no use: density kept as it was */
   uint64_t refitFailed;     /* patches whose refit failed in the last adapt: quasi instead */
   uint64_t refitLimited;    /* that ended at the solver's limit of iterations */
   uint64_t refitIterations; /* of the solver in the last adapt, over all patches */
+  uint64_t capped;          /* patches that maxBytes kept from being split in the last adapt */
+  uint64_t rejectedNaN;     /* of the rejected: by value */
+  uint64_t rejectedInfinite;
+  uint64_t rejectedNegative;
+  uint64_t rejectedPdf; /* of the rejected: by a pdf that no sample can have, in a path */
 } AWDFieldStatistics;
 
 #ifdef __cplusplus
 #define AWD_FIELD_STATISTICS_INIT                                                                  \
-  AWDFieldStatistics { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+  AWDFieldStatistics {                                                                             \
+    sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u         \
+  }
 #else
 #define AWD_FIELD_STATISTICS_INIT                                                                  \
-  { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
+  { sizeof(AWDFieldStatistics), 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u }
 #endif
 
 /* Ends a pass: every patch's recorded samples become its next density (estimate, clamp,
@@ -169,6 +219,93 @@ AWD_EXPORT AWDResult AWD_CALL awdGetPatchCoefficients(AWDField field, uint32_t p
    (0: packed). 1 <= n <= 16384. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPatchPdf(AWDField field, uint32_t patch, uint32_t n,
                                              float* pixels, size_t rowStride) AWD_NOEXCEPT;
+
+/* --- directions that the host drew itself ---------------------------------------------------- */
+
+/* The unit `direction`, drawn by the host, as a sample that can be recorded: its square, its
+   solidAngle and the pdf that the field has for it; the component is AWD_INVALID_ID, which the
+   estimator paper does not take. A host that draws with chance a from the field and else from its
+   BSDF (a one-sample mixture) sets pdf = a p_field + (1 - a) p_bsdf in every sample, whichever of
+   the two it was drawn from, and both divides by that and records with it. Below the horizon
+   pdf and solidAngle are 0, and the sample can't be recorded. Free, but not while the field
+   adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdMapDirection(AWDField field, uint32_t patch, const float normal[3],
+                                              const float direction[3],
+                                              AWDDirectionSample* sample) AWD_NOEXCEPT;
+
+/* --- many at a time ---------------------------------------------------------------------------
+   For wavefront renderers: what the functions for one item do, in the order of the items and with
+   the same bits. Arrays are packed: item i has positions[3 i] to positions[3 i + 2], likewise
+   normals, directions and uniforms. If an argument is wrong the message names its index, and
+   nothing is written or recorded. Free, but not while the field adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdFindPatches(AWDField field, size_t count, const float* positions,
+                                             const float* normals, uint32_t* patches) AWD_NOEXCEPT;
+AWD_EXPORT AWDResult AWD_CALL awdSampleFieldBatch(AWDField field, size_t count,
+                                                  const uint32_t* patches, const float* normals,
+                                                  const double* uniforms,
+                                                  AWDDirectionSample* samples) AWD_NOEXCEPT;
+AWD_EXPORT AWDResult AWD_CALL awdGetFieldPdfs(AWDField field, size_t count, const uint32_t* patches,
+                                              const float* normals, const float* directions,
+                                              float* pdfs) AWD_NOEXCEPT;
+AWD_EXPORT AWDResult AWD_CALL awdRecordFieldBatch(AWDField field, size_t count,
+                                                  const uint32_t* patches,
+                                                  const AWDDirectionSample* samples,
+                                                  const double* values) AWD_NOEXCEPT;
+
+/* --- paths ------------------------------------------------------------------------------------ */
+
+/* Where a path met a surface, and how it went on. This struct never grows. */
+typedef struct AWDPathVertex {
+  uint32_t patch;            /* AWD_INVALID_ID: nothing is recorded here, say of a mirror */
+  float continuation;        /* chance with which the path went on, in (0,1]; 0: it ended here */
+  AWDDirectionSample sample; /* in which it went on; pdf: with which that was drawn, such as a
+                                mixture's (awdMapDirection); only pdf counts where nothing is
+                                recorded */
+  float emitted[3];          /* what the surface emits towards the vertex before, times the weight
+                                with which the host combines that with shadow rays */
+  float direct[3];           /* what it reflects of light found by shadow rays, combined likewise */
+  float scattering[3];       /* f_r cos(theta) of the sampled direction, not divided by anything */
+} AWDPathVertex;
+
+/* Records a path of `count` vertices from the camera on. The radiance that leaves vertex i towards
+   the one before is
+     L_i = emitted + direct + scattering L_(i+1) / (pdf continuation),
+   the last term only if the path went on; of a last vertex that went on L_(i+1) is `background`,
+   what comes from outside the scene; NULL: 0. Recorded at vertex i, if the path went on there, is
+   the luminance of scattering L_(i+1). *radiance, three floats, is L_0, the path's estimate of what
+   the camera sees; it may be NULL. Where a pdf is not positive and finite, or the sample's square
+   or solidAngle makes no sense, the vertex counts as a rejected sample; so does a value that is
+   NaN, infinite or negative. What comes to NaN or infinity beyond a vertex adds nothing to L_i.
+   A vertex whose patch, component or continuation can't be fails the call, and nothing is
+   recorded. Free, but not while the field adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdRecordFieldPath(AWDField field, size_t count,
+                                                 const AWDPathVertex* vertices,
+                                                 const float background[3],
+                                                 float radiance[3]) AWD_NOEXCEPT;
+
+/* --- in several processes, and to be continued ------------------------------------------------ */
+
+/* Everything that the field is and has recorded, as bytes with version and checksum: *size is how
+   many there are; bytes may be NULL if capacity is 0; nothing is written if they don't fit. A
+   loaded field goes on with the same bits. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdSaveField(AWDField field, void* bytes, size_t capacity,
+                                           size_t* size) AWD_NOEXCEPT;
+/* Damaged bytes are refused with AWD_ERROR_IO. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdLoadField(AWDDevice device, const void* bytes, size_t size,
+                                           AWDField* field) AWD_NOEXCEPT;
+/* The same bytes in a file, which is there whole or not at all: until the new one is complete the
+   old one stays. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdWriteField(AWDField field, const char* path) AWD_NOEXCEPT;
+/* Free. */
+AWD_EXPORT AWDResult AWD_CALL awdReadField(AWDDevice device, const char* path,
+                                           AWDField* field) AWD_NOEXCEPT;
+
+/* Adds what `other` has recorded since its last adapt; `other` stays as it is. Both must be the
+   same in settings, patches and densities, such as fields loaded from the same bytes: the message
+   says what differs. A pass recorded in parts by several fields and merged gives the same bits as
+   recorded by one. Save between passes: what had been recorded before counts in every copy.
+   Exclusive for both. */
+AWD_EXPORT AWDResult AWD_CALL awdMergeField(AWDField field, AWDField other) AWD_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -65,10 +65,16 @@ enum {
    divided by it. After 64 vertices q <= 0.95. */
 typedef int32_t AWDRoulette;
 enum {
-  /* By albedo; by throughput with AWD_GUIDE_UNIFORM, whose weights would else grow without end. */
+  /* Adjoint if adaptive; by throughput with AWD_GUIDE_UNIFORM, whose weights would else grow
+     without end; else, and in the preset paper, by albedo. */
   AWD_ROULETTE_DEFAULT = 0,
-  AWD_ROULETTE_ALBEDO = 1,    /* q = largest component of the albedo */
-  AWD_ROULETTE_THROUGHPUT = 2 /* q = largest component of throughput times albedo, at most 1 */
+  AWD_ROULETTE_ALBEDO = 1,     /* q = largest component of the albedo */
+  AWD_ROULETTE_THROUGHPUT = 2, /* q = largest component of throughput times albedo, at most 1 */
+  /* q = clamp(2 T L / I, 0.1, 1): by the radiance still to come. T is the luminance of the
+     throughput before the vertex, L that of the indirect light which the vertex's patch reflects by
+     the field, I that of the pixel in earlier passes, blurred over 5 x 5 pixels; by albedo where
+     nothing is known. Needs AWD_GUIDE_ADAPTIVE. */
+  AWD_ROULETTE_ADJOINT = 3
 };
 
 typedef struct AWDRenderDesc {
@@ -78,18 +84,20 @@ typedef struct AWDRenderDesc {
   AWDGuide guide;
   AWDDirectLight direct;
   AWDRoulette roulette;
-  uint32_t shadowRays; /* per light and vertex, at most 1024; 0: 4 */
-  /* With more lights than this, the shadow rays of a vertex share them by power; 0: 8. */
+  uint32_t shadowRays; /* per light and vertex, at most 1024; 0: 1, in the preset paper 4 */
+  /* With more lights than this, the shadow rays of a vertex share them by power; 0: 1, in the
+     preset paper 8. */
   uint32_t maxLights;
   uint64_t seed;
+  AWDCombination combination; /* count or inverse variance */
 } AWDRenderDesc;
 
 #ifdef __cplusplus
 #define AWD_RENDER_DESC_INIT                                                                       \
-  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u }
+  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u, 0 }
 #else
 #define AWD_RENDER_DESC_INIT                                                                       \
-  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u }
+  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u, 0 }
 #endif
 
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
@@ -181,7 +189,8 @@ AWD_EXPORT AWDResult AWD_CALL awdReadFilm(AWDRender render, AWDFilmLayer layer, 
 AWD_EXPORT AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, uint32_t* height,
                                              uint64_t* samplesPerPixel) AWD_NOEXCEPT;
 
-/* The patch under the middle of a pixel; AWD_INVALID_ID where nothing is seen. Free. */
+/* The patch under the middle of a pixel, of the render's field if that has spatial patches;
+   AWD_INVALID_ID where nothing is seen. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPixelPatch(AWDRender render, uint32_t x, uint32_t y,
                                                uint32_t* patch) AWD_NOEXCEPT;
 

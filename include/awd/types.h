@@ -113,6 +113,7 @@ enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
      paper    b_j = w_j times the mean of f over the samples drawn from component j; G c = b
      mixture  b_j = S1_j / m; G c = b
      ratio    b_j = w_j S1_j / S0_j; G c = b
+     lumped   c_j = S1_j / (m w_j), G replaced by its row sums: never negative, and the least sums
      quasi    c_j = S1_j / S0_j, shrunk towards the coarser levels: never negative
      refit    the c >= floor that minimises
               sum_i (f_i - sum_j c_j N_j(x_i))^2 / p_i + lambda S0 sum_j w_j (c_j - q_j)^2,
@@ -121,7 +122,7 @@ enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
               module that libawd looks for at <its folder>/awd/refit-1.so and in the folders of
               $AWD_REFIT_PATH (separated by ':'; not when the process is privileged)
    Default, of a density: quasi; ratio where the level can't grow any more and m >= 16 n on a grid.
-   Of a field: paper. */
+   Of a field: lumped, pooled over all passes; paper in the preset of that name. */
 typedef int32_t AWDEstimator;
 enum {
   AWD_ESTIMATOR_DEFAULT = 0,
@@ -129,7 +130,22 @@ enum {
   AWD_ESTIMATOR_MIXTURE = 2,
   AWD_ESTIMATOR_RATIO = 3,
   AWD_ESTIMATOR_QUASI = 4,
-  AWD_ESTIMATOR_REFIT = 5
+  AWD_ESTIMATOR_REFIT = 5,
+  AWD_ESTIMATOR_LUMPED = 6 /* of fields alone */
+};
+
+/* How passes make one result. */
+typedef int32_t AWDCombination;
+enum {
+  AWD_COMBINE_DEFAULT = 0, /* count; of an adaptive render, but for the preset paper, by variance */
+  AWD_COMBINE_COUNT = 1,   /* every sample counts the same, as in the paper: unbiased */
+  /* Of a density's estimates of int f: by m_k / V_k, V_k the variance of pass k as the last pass's
+     samples see it (consistent, smaller error, a slight bias): V_k = mean of f^2 / (p_k p_last) -
+     mean^2, at least 1e-3 mean^2. Keeps the densities of the last 16 passes. */
+  AWD_COMBINE_CROSS_VARIANCE = 2,
+  /* Of a render: a sample counts for the inverse of the relative variance of samples in its pass,
+     one number of all pixels together, since a pixel's own variance goes with its mean. */
+  AWD_COMBINE_INVERSE_VARIANCE = 3
 };
 
 /* How a refit ended. */

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "api/handles.h"
+#include "api/saved_bytes.h"
 #include "basis/device.h"
 #include "density/density.h"
 #include "density/refit_bytes.h"
-#include "density/refit_solvers.h"
 
 using namespace awd;
 
@@ -55,26 +55,6 @@ void checkComponents(const Density& density, size_t count, const uint32_t* compo
            components[i], n);
     }
   }
-}
-
-/// Hands bytes to the host if they fit.
-void giveBytes(const std::pmr::vector<char>& from, void* bytes, size_t capacity, size_t* size) {
-  *size = from.size();
-  if (capacity == 0) return;
-  need(bytes, "bytes");
-  if (capacity < from.size()) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "capacity is %zu: there are %zu bytes", capacity, from.size());
-  }
-  std::copy(from.begin(), from.end(), static_cast<char*>(bytes));
-}
-
-const AWDBasisFamily& findFamily(void* device, const char* name) {
-  return static_cast<Device*>(device)->registry().find(name);
-}
-
-const AWDRefitSolver& findSolver(void* device, const char* name) {
-  const bool ignoreEnvironment = static_cast<Device*>(device)->registry().ignoresEnvironment();
-  return findRefitSolver(refitFolders(ignoreEnvironment), name);
 }
 
 }  // namespace
@@ -323,8 +303,8 @@ AWDResult AWD_CALL awdLoadDensity(AWDDevice device, const void* bytes, size_t si
   return guard(__func__, [&] {
     clearOutput(density, "density");
     Device& owner = object(device, "device");
-    give(density, Density::load(owner.shareContext(), need(bytes, "bytes"), size,
-                                {&owner, findFamily, findSolver}));
+    give(density,
+         Density::load(owner.shareContext(), need(bytes, "bytes"), size, findersOf(owner)));
   });
 }
 

@@ -3,50 +3,13 @@
 
 #include <cmath>
 
+#include "api/field_checks.h"
 #include "api/handles.h"
 #include "basis/device.h"
 #include "density/refit_solvers.h"
 #include "guide/field.h"
 
 using namespace awd;
-
-namespace {
-
-/// Directions and normals must be unit vectors to this accuracy.
-constexpr float kUnitTolerance = 1e-3f;
-
-Vec3f unitVector(const float v[3], const char* argument) {
-  const Vec3f vector = load(need(v, argument));
-  if (!(std::abs(dot(vector, vector) - 1.0f) <= 2.0f * kUnitTolerance)) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): it must be a unit vector", argument,
-         vector.x, vector.y, vector.z);
-  }
-  return vector;
-}
-
-void checkUniforms(const double uniforms[3]) {
-  need(uniforms, "uniforms");
-  for (int i = 0; i < 3; ++i) {
-    if (!(uniforms[i] >= 0.0 && uniforms[i] < 1.0)) {
-      fail(AWD_ERROR_INVALID_ARGUMENT, "uniforms[%d] is %g: it must be in [0,1)", i, uniforms[i]);
-    }
-  }
-}
-
-/// What all estimators but `paper` go by.
-void checkPlace(const AWDDirectionSample& sample) {
-  const float* at = sample.square;
-  if (!(at[0] >= 0.0f && at[0] <= 1.0f && at[1] >= 0.0f && at[1] <= 1.0f)) {
-    fail(AWD_ERROR_INVALID_ARGUMENT,
-         "sample->square is (%g, %g): the sample must come from awdSampleField", at[0], at[1]);
-  }
-  if (!(sample.pdf >= 0.0f && std::isfinite(sample.pdf))) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "sample->pdf is %g: the sample must come from awdSampleField",
-         sample.pdf);
-  }
-}
-
-}  // namespace
 
 extern "C" {
 
@@ -57,7 +20,8 @@ AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
     Device& owner = object(device, "device");
     AWDFieldDesc known = AWD_FIELD_DESC_INIT;
     if (desc) known = readStruct(desc, "desc", "AWD_FIELD_DESC_INIT");
-    const AWDBasisFamily& family = owner.registry().find(known.basis ? known.basis : "haar");
+    const AWDBasisFamily& family =
+        owner.registry().find(known.basis ? known.basis : defaultFieldBasis(known.preset));
     FieldSettings settings = settle(known, family);
     if (settings.learning.estimator == AWD_ESTIMATOR_REFIT) {
       settings.learning.refitter.solver =
@@ -73,6 +37,16 @@ void AWD_CALL awdRetainField(AWDField field) noexcept {
 
 void AWD_CALL awdReleaseField(AWDField field) noexcept {
   if (field) behind(field)->release();
+}
+
+AWDResult AWD_CALL awdFindPatch(AWDField field, const float position[3], const float normal[3],
+                                uint32_t* patch) noexcept {
+  return guard(__func__, [&] {
+    const Field& known = object(field, "field");
+    const Vec3f point = finitePoint(position, "position");
+    checkSpatial(known);
+    *need(patch, "patch") = known.findPatch(point, unitVector(normal, "normal"));
+  });
 }
 
 AWDResult AWD_CALL awdSampleField(AWDField field, uint32_t patch, const float normal[3],
@@ -97,12 +71,8 @@ AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch, const AWDDirec
                                   double value) noexcept {
   return guard(__func__, [&] {
     const AWDDirectionSample& known = *need(sample, "sample");
-    if (!(known.solidAngle > 0.0f && std::isfinite(known.solidAngle))) {
-      fail(AWD_ERROR_INVALID_ARGUMENT,
-           "sample->solidAngle is %g: the sample must come from awdSampleField", known.solidAngle);
-    }
     Field& into = object(field, "field");
-    if (into.settings().learning.estimator != AWD_ESTIMATOR_PAPER) checkPlace(known);
+    checkSample(into, known);
     into.record(patch, known, value);
   });
 }

@@ -31,6 +31,8 @@ const char* nameOfEstimator(const Field& field) {
       return "ratio";
     case AWD_ESTIMATOR_QUASI:
       return "quasi";
+    case AWD_ESTIMATOR_LUMPED:
+      return "lumped";
     case AWD_ESTIMATOR_REFIT:
       return "refit";
     default:

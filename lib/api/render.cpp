@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "awd/render.h"
 
+#include <algorithm>
+
 #include "api/handles.h"
 #include "render/render.h"
 
@@ -29,7 +31,10 @@ struct Strides {
 Ref<Field> ownField(Scene& scene, AWDPreset preset) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   desc.preset = preset;
-  const AWDBasisFamily& family = scene.device().registry().find("haar");
+  const AWDSceneInfo info = scene.geometry().info();
+  std::copy(info.lower, info.lower + 3, desc.lower);
+  std::copy(info.upper, info.upper + 3, desc.upper);
+  const AWDBasisFamily& family = scene.device().registry().find(defaultFieldBasis(preset));
   return Field::make(scene.device().shareContext(), family, settle(desc, family));
 }
 

@@ -7,6 +7,7 @@
 
 #include "awd/density.h"
 #include "density/bases.h"
+#include "density/finders.h"
 #include "density/model.h"
 #include "density/passes.h"
 #include "density/settings.h"
@@ -24,12 +25,6 @@ class Density final : public RefCounted {
   static Ref<Density> make(Ref<Context> context, Ref<DensityBases> bases,
                            const DensitySettings& settings);
   static Ref<Density> fork(const Density& from);
-  /// Who gives the families and solvers of these names.
-  struct Finders {
-    void* user;
-    const AWDBasisFamily& (*family)(void* user, const char* name);
-    const AWDRefitSolver& (*solver)(void* user, const char* name);
-  };
   /// From what bytesOf() wrote.
   static Ref<Density> load(Ref<Context> context, const void* bytes, std::size_t size,
                            const Finders& find);

@@ -47,7 +47,7 @@ void putSettings(ByteWriter& writer, const DensitySettings& settings, const Dens
 }
 
 /// Settings, and the families that they name.
-DensitySettings getSettings(ByteReader& reader, const Density::Finders& find,
+DensitySettings getSettings(ByteReader& reader, const Finders& find,
                             const AWDBasisFamily** families) {
   DensitySettings settings;
   LearningSettings& learning = settings.learning;

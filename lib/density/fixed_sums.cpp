@@ -27,6 +27,18 @@ int FixedSums::unitExponentFor(double magnitude) {
   return std::ilogb(magnitude) - kUsualBits;
 }
 
+uint64_t FixedSums::rejected() const {
+  uint64_t sum = 0;
+  for (const std::atomic<uint64_t>& count : rejected_) sum += count.load(kOrder);
+  return sum;
+}
+
+std::array<uint64_t, kRejections> FixedSums::rejections() const {
+  std::array<uint64_t, kRejections> counts;
+  for (std::size_t i = 0; i < kRejections; ++i) counts[i] = rejected_[i].load(kOrder);
+  return counts;
+}
+
 double FixedSums::largest() const {
   const uint64_t bits = largestBits_.load(kOrder);
   double value;
@@ -45,14 +57,16 @@ double FixedSums::measure(double value) noexcept {
 void FixedSums::addFlaws(const FixedSums& other) noexcept {
   if (other.overflowed()) overflowed_.store(true, kOrder);
   largestBits_.store(std::max(largestBits_.load(kOrder), other.largestBits_.load(kOrder)), kOrder);
-  rejected_.fetch_add(other.rejected(), kOrder);
+  for (std::size_t i = 0; i < kRejections; ++i) {
+    rejected_[i].fetch_add(other.rejected_[i].load(kOrder), kOrder);
+  }
   saturated_.fetch_add(other.saturated(), kOrder);
 }
 
 void FixedSums::clearFlaws() noexcept {
   largestBits_.store(0, kOrder);
   overflowed_.store(false, kOrder);
-  rejected_.store(0, kOrder);
+  for (std::atomic<uint64_t>& count : rejected_) count.store(0, kOrder);
   saturated_.store(0, kOrder);
 }
 

@@ -3,11 +3,18 @@
 // whatever the order and the threads that add.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 
+#include "util/bytes.h"
+
 namespace awd {
+
+/// What can be wrong with a sample: its value, or the pdf that it was drawn with.
+enum class Rejection : uint32_t { kNaN, kInfinite, kNegative, kPdf };
+constexpr std::size_t kRejections = 4;
 
 /// What such sums have in common: the unit of the values, and what was wrong with values.
 class FixedSums {
@@ -17,7 +24,14 @@ class FixedSums {
   static int unitExponentFor(double magnitude);
 
   int unitExponent() const { return unitExponent_; }
-  uint64_t rejected() const { return rejected_.load(kOrder); }
+  uint64_t rejected() const;
+  uint64_t rejected(Rejection reason) const {
+    return rejected_[static_cast<std::size_t>(reason)].load(kOrder);
+  }
+  std::array<uint64_t, kRejections> rejections() const;
+  void reject(Rejection reason) noexcept {
+    rejected_[static_cast<std::size_t>(reason)].fetch_add(1, kOrder);
+  }
   uint64_t saturated() const { return saturated_.load(kOrder); }
   /// The largest value recorded, before clamping.
   double largest() const;
@@ -42,19 +56,26 @@ class FixedSums {
 
   void addFlaws(const FixedSums& other) noexcept;
   void clearFlaws() noexcept;
+  void putFlaws(ByteWriter& writer) const;
+  void getFlaws(ByteReader& reader);
+  static void putSum(ByteWriter& writer, const std::atomic<int64_t>& sum);
+  /// After getFlaws(), which tells whether a sum may have gone past its end.
+  void getSum(ByteReader& reader, std::atomic<int64_t>& sum) const;
 
  private:
   int unitExponent_;
   double scale_;  ///< 2^-unitExponent, or 0 if that is out of range: then ldexp is used
   std::atomic<uint64_t> largestBits_{0};
   std::atomic<bool> overflowed_{false};
-  std::atomic<uint64_t> rejected_{0};
+  std::array<std::atomic<uint64_t>, kRejections> rejected_{};
   std::atomic<uint64_t> saturated_{0};
 };
 
 inline bool FixedSums::accept(double value) noexcept {
   if (value >= 0.0 && std::isfinite(value)) return true;
-  rejected_.fetch_add(1, kOrder);
+  reject(std::isnan(value) ? Rejection::kNaN
+         : value < 0.0     ? Rejection::kNegative
+                           : Rejection::kInfinite);
   return false;
 }
 

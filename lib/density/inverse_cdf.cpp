@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "density/cell_search.h"
+
 namespace awd {
 
 namespace {
@@ -17,31 +19,6 @@ Coefficients cellMasses(std::pmr::memory_resource* memory, const BasisLevel& lev
     masses[row] /= static_cast<double>(level.order) * level.cells;
   }
   return masses;
-}
-
-/// The largest power of two that is not larger.
-uint32_t powerBelow(uint32_t number) {
-  uint32_t power = 1;
-  while (power <= number / 2) power *= 2;
-  return power;
-}
-
-/// The first cell up to whose end there is more mass than the target, without branches but for the
-/// loop's. If there is none, as uniform * total was rounded up to total, the last cell of any mass;
-/// the target becomes its end then.
-template <class MassUpTo>
-inline uint32_t findCell(uint32_t cells, uint32_t power, double& target, const MassUpTo& massUpTo) {
-  // Either the first or the last `power` of the cells, which is then halved.
-  uint32_t cell = 0;
-  if (cells > power) cell = massUpTo(cells - power - 1) <= target ? cells - power : 0;
-  for (uint32_t half = power / 2; half > 0; half /= 2) {
-    cell += massUpTo(cell + half - 1) <= target ? half : 0;
-  }
-  if (cell + 1 == cells && massUpTo(cell) <= target) {
-    while (cell > 0 && massUpTo(cell) <= massUpTo(cell - 1)) --cell;
-    target = massUpTo(cell);
-  }
-  return cell;
 }
 
 /// What is left of a uniform within the cell that was drawn: 0 to 1. A uniform of 0 stands for
@@ -165,41 +142,41 @@ void placeInCells(const BasisLevel& level, std::size_t count, BlockAxis<O, N>& a
 
 InverseCdf::InverseCdf(std::pmr::memory_resource* memory, const BasisLevel* const* levels,
                        const Shape& shape, const Coefficients& coefficients)
-    : shape_(shape),
-      order_(commonOrder(levels, shape.dimensions)),
-      marginals_(memory),
-      prefixes_(memory) {
+    : shape_(shape), order_(commonOrder(levels, shape.dimensions)), tables_(memory) {
   const uint32_t d = shape.dimensions;
   std::copy(levels, levels + d, levels_);
+  std::size_t size = 0;
   for (uint32_t a = 0; a < d; ++a) {
     strides_[a] = shape.stride(a);
     bernstein_[a] = hasBernsteinPieces(*levels[a]);
+    prefixBegin_[a] = size;
+    size += shape.product(0, a) * levels[a]->cells;
+    marginalBegin_[a] = size;
+    if (a + 1 < d) size += shape.product(0, a + 1);
   }
-  marginals_.resize(d - 1);
-  prefixes_.resize(d);
-  const Coefficients* marginal = &coefficients;
+  tables_.resize(size);
+  const double* given = coefficients.data();
   for (uint32_t a = d; a-- > 0;) {
     const BasisLevel& level = *levels[a];
     const Coefficients masses = cellMasses(memory, level);
     const std::size_t rows = shape.product(0, a);
-    Coefficients& prefix = prefixes_[a];
-    prefix.resize(rows * level.cells);
+    double* prefixes = tables_.data() + prefixBegin_[a];
     for (std::size_t row = 0; row < rows; ++row) {
-      const double* c = &(*marginal)[row * level.count];
+      const double* c = given + row * level.count;
       double sum = 0.0;
       std::size_t i = 0;
       for (uint32_t cell = 0; cell < level.cells; ++cell) {
         for (uint32_t k = 0; k < level.alive; ++k, ++i) sum += c[level.functions[i]] * masses[i];
-        prefix[row * level.cells + cell] = sum;
+        prefixes[row * level.cells + cell] = sum;
       }
     }
     if (a == 0) break;
     // The marginal of the axes before: its coefficients are the masses of the rows.
-    marginals_[a - 1].resize(rows);
+    double* marginals = tables_.data() + marginalBegin_[a - 1];
     for (std::size_t row = 0; row < rows; ++row) {
-      marginals_[a - 1][row] = prefix[(row + 1) * level.cells - 1];
+      marginals[row] = prefixes[(row + 1) * level.cells - 1];
     }
-    marginal = &marginals_[a - 1];
+    given = marginals;
   }
 }
 
@@ -208,9 +185,9 @@ void InverseCdf::sampleFrom(const Coefficients& coefficients, const double* unif
                             const BlendedRow* rows, std::size_t count, double* x,
                             AxisValues* at) const {
   const BasisLevel& level = *levels_[A];
-  const double* marginal = A + 1 < D ? marginals_[A].data() : coefficients.data();
+  const double* marginal = A + 1 < D ? marginalOf(A) : coefficients.data();
   uint32_t cell;
-  x[A] = draw<O>(level, prefixes_[A].data(), marginal, rows, count, uniforms[A], cell);
+  x[A] = draw<O>(level, prefixOf(A), marginal, rows, count, uniforms[A], cell);
   if constexpr (O > 0) {
     evaluateCell<O, O>(level, cell, x[A] * level.cells - cell, at[A]);
   } else {
@@ -230,9 +207,9 @@ void InverseCdf::sampleBlock(uint32_t a, const Coefficients& coefficients, std::
                              double* pdfs) const {
   const uint32_t d = shape_.dimensions;
   const BasisLevel& level = *levels_[a];
-  const double* marginal = a + 1 < d ? marginals_[a].data() : coefficients.data();
+  const double* marginal = a + 1 < d ? marginalOf(a) : coefficients.data();
   BlockAxis<O, N> axis;
-  findCells(level, prefixes_[a].data(), count, uniforms + a, d, rows, axis);
+  findCells(level, prefixOf(a), count, uniforms + a, d, rows, axis);
   blendCoefficients(level, marginal, count, rows, axis);
   if (!bernstein_[a]) sumPieces(level, count, axis);
   invertBlock(count, bernstein_[a] ? axis.given : axis.bernstein, axis);
@@ -298,11 +275,6 @@ AWD_INSTANTIATE(5)
 AWD_INSTANTIATE(6)
 #undef AWD_INSTANTIATE
 
-std::size_t InverseCdf::bytes() const {
-  std::size_t doubles = 0;
-  for (const Coefficients& table : marginals_) doubles += table.capacity();
-  for (const Coefficients& table : prefixes_) doubles += table.capacity();
-  return doubles * sizeof(double);
-}
+std::size_t InverseCdf::bytes() const { return tables_.capacity() * sizeof(double); }
 
 }  // namespace awd

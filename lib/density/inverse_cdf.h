@@ -54,9 +54,13 @@ class InverseCdf {
   uint32_t order_;                       ///< commonOrder()
   bool bernstein_[kMaxDimensions] = {};  ///< hasBernsteinPieces()
   /// Axis a: coefficients of the marginal density of axes 0 .. a; the last axis needs none.
-  std::pmr::vector<Coefficients> marginals_;
+  const double* marginalOf(uint32_t a) const { return tables_.data() + marginalBegin_[a]; }
   /// Axis a: for each function of the axes before, the mass of its row up to the end of each cell.
-  std::pmr::vector<Coefficients> prefixes_;
+  const double* prefixOf(uint32_t a) const { return tables_.data() + prefixBegin_[a]; }
+
+  std::size_t marginalBegin_[kMaxDimensions] = {};
+  std::size_t prefixBegin_[kMaxDimensions] = {};
+  Coefficients tables_;  ///< all in one, in the order in which they are read
 };
 
 }  // namespace awd

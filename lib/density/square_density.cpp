@@ -7,36 +7,59 @@
 
 namespace awd {
 
-SquareDensity::SquareDensity(std::pmr::memory_resource* memory, const BasisLevel& level)
-    : level_(&level),
-      // The functions sum to 1, so that coefficients 1 are the constant 1.
-      coefficients_(std::size_t{level.count} * level.count, 1.0, memory),
-      cumulative_(memory) {
-  accumulate();
+SquareDensity::SquareDensity(std::pmr::memory_resource* memory, const BasisLevel& level,
+                             AWDSampler sampler)
+    // The functions sum to 1, so that coefficients 1 are the constant 1.
+    : SquareDensity(level, sampler,
+                    std::pmr::vector<double>(std::size_t{level.count} * level.count, 1.0, memory)) {
 }
 
-SquareDensity::SquareDensity(const BasisLevel& level, std::pmr::vector<double> coefficients)
+SquareDensity::SquareDensity(const BasisLevel& level, AWDSampler sampler,
+                             std::pmr::vector<double> coefficients, Scale scale)
     : level_(&level),
       coefficients_(std::move(coefficients)),
       cumulative_(coefficients_.get_allocator()) {
-  accumulate();
+  if (scale == Scale::toIntegral) normalise();
+  if (sampler == AWD_SAMPLER_COMPONENT) {
+    accumulate();
+    return;
+  }
+  inverse_.emplace(*level_, coefficients_);
 }
 
-void SquareDensity::accumulate() {
+Ref<SquareDensity> SquareDensity::make(const BasisLevel& level, AWDSampler sampler,
+                                       std::pmr::vector<double> coefficients, Scale scale) {
+  std::pmr::memory_resource* memory = coefficients.get_allocator().resource();
+  return Ref<SquareDensity>::adopt(
+      awd::make<SquareDensity>(memory, level, sampler, std::move(coefficients), scale));
+}
+
+void SquareDensity::destroy() noexcept {
+  std::pmr::memory_resource* memory = coefficients_.get_allocator().resource();
+  unmake(memory, this);
+}
+
+void SquareDensity::normalise() {
   const uint32_t n = level_->count;
   // Scaled by the largest first, so that neither sum nor quotient leaves the range of a double.
   const double largest = *std::max_element(coefficients_.begin(), coefficients_.end());
-  cumulative_.resize(coefficients_.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < coefficients_.size(); ++i) {
     coefficients_[i] /= largest;
     sum += coefficients_[i] * level_->weights[i / n] * level_->weights[i % n];
+  }
+  for (double& c : coefficients_) c /= sum;
+}
+
+void SquareDensity::accumulate() {
+  const uint32_t n = level_->count;
+  cumulative_.resize(coefficients_.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    sum += coefficients_[i] * level_->weights[i / n] * level_->weights[i % n];
     cumulative_[i] = sum;
   }
-  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
-    coefficients_[i] /= sum;
-    cumulative_[i] /= sum;
-  }
+  for (double& upTo : cumulative_) upTo /= sum;
   // No uniform may fall beyond the last component that can be drawn.
   for (std::size_t i = cumulative_.size(); i-- > 0;) {
     cumulative_[i] = 1.0;
@@ -45,6 +68,7 @@ void SquareDensity::accumulate() {
 }
 
 double SquareDensity::pdf(float u, float v) const {
+  if (inverse_) return inverse_->pdf(u, v);
   const uint32_t n = level_->count;
   if (level_->order == 1 && level_->alive == 1) {
     const uint32_t* functions = level_->functions.data();
@@ -65,6 +89,12 @@ double SquareDensity::pdf(float u, float v) const {
 }
 
 SquareSample SquareDensity::sample(const double uniforms[3]) const {
+  if (!inverse_) return sampleByComponent(uniforms);
+  const SquareSampler::Sample drawn = inverse_->sample(uniforms[0], uniforms[1]);
+  return {drawn.u, drawn.v, AWD_INVALID_ID, drawn.pdf};
+}
+
+SquareSample SquareDensity::sampleByComponent(const double uniforms[3]) const {
   const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), uniforms[0]);
   const auto component = static_cast<uint32_t>(
       std::min<std::size_t>(chosen - cumulative_.begin(), cumulative_.size() - 1));
@@ -77,7 +107,8 @@ SquareSample SquareDensity::sample(const double uniforms[3]) const {
 }
 
 std::size_t SquareDensity::bytes() const {
-  return sizeof *this + (coefficients_.capacity() + cumulative_.capacity()) * sizeof(double);
+  return sizeof *this + (coefficients_.size() + cumulative_.size()) * sizeof(double) +
+         (inverse_ ? inverse_->bytes() : 0);
 }
 
 }  // namespace awd

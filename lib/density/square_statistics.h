@@ -33,6 +33,9 @@ class SquareStatistics final : public FixedSums {
   void add(const SquareStatistics& other) noexcept;
   /// Back to no samples.
   void clear() noexcept;
+  void put(ByteWriter& writer) const;
+  /// Of as many sums.
+  void get(ByteReader& reader);
   std::size_t bytes() const { return sizeof *this + components_ * sizeof(Cell); }
 
  private:

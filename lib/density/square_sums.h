@@ -41,6 +41,9 @@ class SquareSums final : public FixedSums {
   void add(const SquareSums& other) noexcept;
   /// Back to no samples.
   void clear() noexcept;
+  void put(ByteWriter& writer) const;
+  /// Of as many sums.
+  void get(ByteReader& reader);
   std::size_t bytes() const { return sizeof *this + size() * sizeof(Sum); }
 
  private:

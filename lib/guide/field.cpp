@@ -4,45 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
-#include "density/grid_learning.h"
-#include "density/projection.h"
-#include "density/settings.h"
 #include "util/error.h"
 
 namespace awd {
 
 namespace {
-
-// The paper's settings, and ours where they differ.
-constexpr uint32_t kStartLevel = 2;
-constexpr uint32_t kPaperMaxLevel = 4;
-constexpr uint32_t kDefaultMaxLevel = 3;
-/// A density of a level has some 4^level coefficients: beyond this one they don't fit anywhere.
-constexpr uint32_t kFinestLevel = 12;
-constexpr double kPaperTau = 0.05;
-/// High, since one density serves a whole piece of surface, whose places see different light. With
-/// the concentric-cosine map the floor is a share of cosine sampling.
-constexpr double kDefaultTau = 0.3;
-/// That the sums of refit may take in a patch.
-constexpr std::size_t kMostRefitBytes = std::size_t{1} << 28;
-/// By default a patch is refined only when the finer level would have had this many samples a
-/// coefficient: below that its noise costs more than its detail brings.
-constexpr uint64_t kSamplesPerCoefficient = 8;
-
-uint32_t settleLevel(uint32_t asked, const char* name, uint32_t preset,
-                     const AWDBasisFamily& family) {
-  const uint32_t finest = std::min(family.maxLevel, std::max(family.minLevel, kFinestLevel));
-  if (asked == 0) return std::clamp(preset, family.minLevel, finest);
-  const uint32_t level = asked - 1;
-  if (level < family.minLevel || level > finest) {
-    fail(AWD_ERROR_INVALID_ARGUMENT,
-         "%s is level %u: fields with basis \"%s\" have levels %u to %u", name, level, family.name,
-         family.minLevel, finest);
-  }
-  return level;
-}
 
 Ref<DensityBases> compile(std::pmr::memory_resource* memory, const AWDBasisFamily& family,
                           uint32_t maxLevel) {
@@ -51,47 +18,6 @@ Ref<DensityBases> compile(std::pmr::memory_resource* memory, const AWDBasisFamil
 }
 
 }  // namespace
-
-FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
-  if (desc.preset != AWD_PRESET_DEFAULT && desc.preset != AWD_PRESET_PAPER) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->preset is %d: not an AWD_PRESET_...", desc.preset);
-  }
-  if (desc.map < AWD_MAP_DEFAULT || desc.map > AWD_MAP_CONCENTRIC_COSINE) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->map is %d: not an AWD_MAP_...", desc.map);
-  }
-  if (!(desc.tau <= 1.0)) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->tau is %g: at most 1 is allowed", desc.tau);
-  }
-  if (desc.estimator < AWD_ESTIMATOR_DEFAULT || desc.estimator > AWD_ESTIMATOR_REFIT) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->estimator is %d: not an AWD_ESTIMATOR_...",
-         desc.estimator);
-  }
-  const bool paper = desc.preset == AWD_PRESET_PAPER;
-  FieldSettings settings;
-  settings.preset = desc.preset;
-  settings.map = desc.map != AWD_MAP_DEFAULT ? desc.map
-                 : paper                     ? AWD_MAP_SPHERICAL
-                                             : AWD_MAP_CONCENTRIC_COSINE;
-  settings.maxLevel = settleLevel(desc.maxLevel, "desc->maxLevel",
-                                  paper ? kPaperMaxLevel : kDefaultMaxLevel, family);
-  settings.startLevel = settleLevel(desc.startLevel, "desc->startLevel", kStartLevel, family);
-  if (settings.startLevel > settings.maxLevel) {
-    // An explicit bound at one end moves the preset's value at the other.
-    if (desc.startLevel && desc.maxLevel) {
-      fail(AWD_ERROR_INVALID_ARGUMENT, "desc->startLevel is level %u, above desc->maxLevel, %u",
-           settings.startLevel, settings.maxLevel);
-    }
-    (desc.startLevel ? settings.maxLevel : settings.startLevel) =
-        desc.startLevel ? settings.startLevel : settings.maxLevel;
-  }
-  LearningSettings& learning = settings.learning;
-  learning.tau = desc.tau != 0.0 ? desc.tau : paper ? kPaperTau : kDefaultTau;
-  learning.estimator =
-      desc.estimator != AWD_ESTIMATOR_DEFAULT ? desc.estimator : AWD_ESTIMATOR_PAPER;
-  settleShrinkage(desc.shrinkage, family.order == 1, learning);
-  learning.maxCoefficients = UINT64_MAX;
-  return settings;
-}
 
 Ref<Field> Field::make(Ref<Context> context, const AWDBasisFamily& family,
                        const FieldSettings& settings) {
@@ -102,23 +28,19 @@ Ref<Field> Field::make(Ref<Context> context, const AWDBasisFamily& family,
 Field::Field(Ref<Context> context, const AWDBasisFamily& family, const FieldSettings& settings)
     : context_(std::move(context)),
       settings_(settings),
-      bases_(compile(context_->memory(), family, settings.maxLevel)),
-      patterns_(context_->memory()),
-      start_(context_->memory(), this->family().level(settings.startLevel)),
+      learning_(context_->memory(), settings_,
+                compile(context_->memory(), family, settings.maxLevel)),
       unitExponent_(FixedSums::unitExponentFor(1.0)),
       lastPass_(),
-      table_(context_->memory()) {
-  if (settings.learning.estimator != AWD_ESTIMATOR_REFIT) return;
-  for (uint32_t l = settings.startLevel; l <= settings.maxLevel; ++l) {
-    const BasisLevel* const levels[] = {&this->family().level(l), &this->family().level(l)};
-    patterns_.push_back(NormalPattern::make(context_->memory(), levels, 2));
-    const std::size_t bytes = patterns_.back()->size() * sizeof(int64_t);
-    if (bytes > kMostRefitBytes) {
-      fail(AWD_ERROR_INVALID_ARGUMENT,
-           "desc->maxLevel is level %u: at level %u the estimator refit would sum %zu bytes a "
-           "patch, at most %zu are allowed",
-           settings.maxLevel, l, bytes, kMostRefitBytes);
-    }
+      table_(context_->memory()),
+      views_(context_->memory()) {
+  const BasisLevel& level = learning_.startLevel();
+  // The functions sum to 1, so that coefficients 1 are the constant 1.
+  start_ = SquareDensity::make(
+      level, settings_.sampler(),
+      Coefficients(std::size_t{level.count} * level.count, 1.0, context_->memory()));
+  if (settings_.patches == AWD_PATCHES_SPATIAL) {
+    tree_.emplace(context_->memory(), settings_.lower, settings_.upper);
   }
 }
 
@@ -127,13 +49,24 @@ void Field::destroy() noexcept {
   unmake(context->memory(), this);
 }
 
-const SquareDensity& Field::density(uint32_t patch) const {
-  const Patch* known = table_.find(patch);
-  return known ? density(*known) : start_;
+const Patch* Field::nearest(uint32_t key) const {
+  for (;;) {
+    if (const Patch* patch = table_.find(key)) return patch;
+    if (!tree_ || key >= tree_->leaves() || tree_->origin(key) == key) return nullptr;
+    key = tree_->origin(key);
+  }
 }
 
-AWDDirectionSample Field::sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const {
-  const SquareSample point = density(patch).sample(uniforms);
+PatchView Field::viewOf(uint32_t key) const {
+  const Patch* known = nearest(key);
+  if (!known) return {start_.get(), nullptr, 0.0f, 0};
+  const PatchKnowledge& all = known->known;
+  return {&density(all), table_.find(key), static_cast<float>(all.mean), all.weight > 0.0 ? 1u : 0};
+}
+
+AWDDirectionSample Field::sample(const SquareDensity& density, Vec3f normal,
+                                 const double uniforms[3]) const {
+  const SquareSample point = density.sample(uniforms);
   const MappedDirection mapped = mapToHemisphere(settings_.map, point.u, point.v);
   const Vec3f direction = Frame(normal).toWorld(mapped.direction);
   return {{direction.x, direction.y, direction.z},
@@ -151,120 +84,109 @@ float Field::pdf(uint32_t patch, Vec3f normal, Vec3f direction) const {
   return static_cast<float>(density(patch).pdf(u, v) / solidAngleAt(settings_.map, local));
 }
 
-Patch& Field::touch(uint32_t patch) {
-  return table_.touch(patch, [this] {
+AWDDirectionSample Field::mapDirection(uint32_t patch, Vec3f normal, Vec3f direction) const {
+  AWDDirectionSample sample = {
+      {direction.x, direction.y, direction.z}, 0.0f, {}, AWD_INVALID_ID, 0.0f};
+  const Vec3f local = Frame(normal).toLocal(direction);
+  if (!(local.z > 0.0f)) return sample;
+  float* at = sample.square;
+  mapToSquare(settings_.map, local, at[0], at[1]);
+  sample.solidAngle = solidAngleAt(settings_.map, local);
+  sample.pdf = static_cast<float>(density(patch).pdf(at[0], at[1]) / sample.solidAngle);
+  return sample;
+}
+
+Patch& Field::touch(uint32_t key) {
+  return table_.touch(key, [&] {
     std::pmr::memory_resource* memory = context_->memory();
-    return awd::make<Patch>(memory, memory, freshStatistics(start_.level(), unitExponent_));
+    const Patch* from = nearest(key);
+    const PatchKnowledge known = from ? from->known : PatchKnowledge();
+    Patch* made =
+        awd::make<Patch>(memory, memory,
+                         learning_.freshStatistics(
+                             density(known).level(),
+                             from ? from->statistics->common().unitExponent() : unitExponent_));
+    // A part of a patch that had no sample there: its density, to begin with, and no more.
+    made->known.density = known.density;
+    made->known.alpha = known.alpha;
+    return made;
   });
 }
 
-void Field::record(uint32_t patch, const AWDDirectionSample& sample, double value) {
-  Patch& known = touch(patch);
-  if (sample.component >= known.statistics->components()) {
+void Field::checkRecord(uint32_t patch, const AWDDirectionSample& sample) const {
+  if (tree_ && keyOf(patch) >= tree_->leaves()) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "patch is %u: the field has none of this number; ask awdFindPatch again after each adapt",
+         patch);
+  }
+  if (settings_.sampler() != AWD_SAMPLER_COMPONENT) return;
+  const std::size_t components = density(patch).coefficients().size();
+  if (sample.component >= components) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "sample->component is %u: patch %u has %zu components; was the sample drawn from it since "
          "the last adapt?",
-         sample.component, patch, known.statistics->components());
+         sample.component, patch, components);
   }
+}
+
+void Field::record(uint32_t patch, const PatchView& view, const AWDDirectionSample& sample,
+                   double value) {
+  checkRecord(patch, sample);
+  Patch& known = view.patch ? *view.patch : touch(keyOf(patch));
   // The density lives on the square: f there is f in solid angle times d omega / d(u,v).
-  known.statistics->record(sample, value * static_cast<double>(sample.solidAngle));
+  known.statistics->record(tree_ ? patch % SpatialTree::kEighths : 0, sample,
+                           value * static_cast<double>(sample.solidAngle));
+}
+
+void Field::reject(uint32_t patch, const AWDDirectionSample& sample) {
+  touch(keyOf(patch)).statistics->reject(tree_ ? patch % SpatialTree::kEighths : 0, sample);
 }
 
 void Field::setScale(double magnitude) {
   unitExponent_ = FixedSums::unitExponentFor(magnitude);
   table_.forEach([&](uint32_t, Patch& patch) {
-    if (!patch.hasBeenSeen()) patch.statistics = freshStatistics(start_.level(), unitExponent_);
+    if (patch.hasBeenSeen()) return;
+    patch.statistics = learning_.freshStatistics(density(patch.known).level(), unitExponent_);
   });
 }
 
-Owned<PatchStatistics> Field::freshStatistics(const BasisLevel& level, int unitExponent) const {
-  std::pmr::memory_resource* memory = context_->memory();
-  if (settings_.learning.estimator == AWD_ESTIMATOR_PAPER) {
-    return makeOwned<PatchStatistics>(memory, memory, level, unitExponent);
-  }
-  Ref<NormalPattern> pattern;
-  if (!patterns_.empty()) pattern = patterns_[level.level - settings_.startLevel];
-  return makeOwned<PatchStatistics>(memory, memory, level, std::move(pattern), unitExponent);
-}
-
-bool Field::finerIsDue(uint32_t level, uint64_t samples) const {
-  if (level >= settings_.maxLevel) return false;
-  if (settings_.preset == AWD_PRESET_PAPER) return true;
-  const uint64_t n = family().level(level + 1).count;
-  return samples >= kSamplesPerCoefficient * n * n;
-}
-
-Coefficients Field::estimate(const PatchStatistics& statistics, const BasisLevel& level,
-                             const Refitter& refitter, RefitReport& report) const {
-  std::pmr::memory_resource* memory = context_->memory();
-  if (const SquareStatistics* byComponent = statistics.byComponent()) {
-    Coefficients c = project(memory, level, bases_->axis(0).gram(level.level), *byComponent);
-    if (!clampCoefficients(level, settings_.learning.tau, c)) c.clear();
-    return c;
-  }
-  const Levels levels = {level.level, level.level};
-  LearningSettings learning = settings_.learning;
-  learning.minLevel = learning.maxLevel = levels;
-  learning.refitter = refitter;
-  LearningReport made;
-  std::optional<GridState> state = learnGrid(
-      *bases_, learning, levels, statistics.byFunction()->statistics(), statistics.samples(), made);
-  report = std::move(made.refit);
-  return state ? std::move(state->coefficients) : Coefficients(memory);
-}
-
-Owned<SquareDensity> Field::learn(const PatchStatistics& statistics, const BasisLevel& level,
-                                  const Refitter& refitter, RefitReport& report) const {
-  std::pmr::memory_resource* memory = context_->memory();
-  Owned<SquareDensity> none(nullptr, {memory});
-  if (statistics.common().overflowed()) return none;
-  Coefficients c = estimate(statistics, level, refitter, report);
-  if (c.empty()) return none;
-  if (!finerIsDue(level.level, statistics.samples())) {
-    return makeOwned<SquareDensity>(memory, level, std::move(c));
-  }
-  const uint32_t next = level.level + 1;
-  c = refineTo(*bases_, {level.level, level.level}, {next, next}, c);
-  return makeOwned<SquareDensity>(memory, family().level(next), std::move(c));
-}
-
-Field::Successor Field::succeed(Patch& patch, const Refitter& refitter) const {
-  const BasisLevel& level = density(patch).level();
+Field::Successor Field::succeed(uint32_t key, Patch& patch, const Refitter& refitter) const {
+  const BasisLevel& level = density(patch.known).level();
   const PatchStatistics* statistics = patch.statistics.get();
   Owned<PatchStatistics> whole(nullptr, {context_->memory()});
   if (patch.marked) {
-    whole = freshStatistics(level, statistics->common().unitExponent());
+    whole = learning_.freshStatistics(level, statistics->common().unitExponent());
     whole->add(*patch.marked);
     whole->add(*statistics);
     statistics = whole.get();
   }
   const FixedSums& common = statistics->common();
   RefitReport refit;
-  Owned<SquareDensity> learned = learn(*statistics, level, refitter, refit);
-  const BasisLevel& next = learned ? learned->level() : level;
+  PatchKnowledge known = learning_.learn(patch.known, level, *statistics, refitter, refit);
+  const BasisLevel& next = density(known).level();
   const int unitExponent = common.largest() > 0.0
                                ? FixedSums::unitExponentFor(statistics->magnitude())
                                : common.unitExponent();
-  return {&patch,
-          std::move(learned),
-          freshStatistics(next, unitExponent),
+  return {key,
+          &patch,
+          std::move(known),
+          learning_.freshStatistics(next, unitExponent),
           statistics->samples(),
-          common.rejected(),
+          common.rejections(),
           common.saturated(),
-          refit.status,
-          refit.iterations};
+          std::move(refit)};
 }
 
-AWDFieldStatistics Field::adapt() {
+std::pmr::vector<Field::Successor> Field::learnAll() {
   std::pmr::memory_resource* memory = context_->memory();
-  // All is made first and put in place after, so that a failure on the way changes nothing.
-  std::pmr::vector<Patch*> sampled(memory);
-  table_.forEach([&](uint32_t, Patch& patch) {
-    if (patch.samples() > 0) sampled.push_back(&patch);
+  std::pmr::vector<std::pair<uint32_t, Patch*>> sampled(memory);
+  table_.forEach([&](uint32_t key, Patch& patch) {
+    if (patch.samples() > 0) sampled.emplace_back(key, &patch);
   });
-  std::pmr::vector<std::optional<Successor>> successors(sampled.size(), memory);
+  std::pmr::vector<std::optional<Successor>> made(sampled.size(), memory);
 
-  const std::size_t each = patterns_.empty() ? 64 : 1;  // a refit takes long
+  const bool refits = settings_.learning.estimator == AWD_ESTIMATOR_REFIT;
+  const std::size_t each = refits ? 1 : 64;  // a refit takes long
   const std::size_t blocks = (sampled.size() + each - 1) / each;
   Progress progress(*context_, "adapt", this, blocks);
   Refitter refitter = settings_.learning.refitter;
@@ -276,43 +198,128 @@ AWDFieldStatistics Field::adapt() {
     if (progress.cancelled()) return;
     const std::size_t end = std::min(sampled.size(), (block + 1) * each);
     for (std::size_t i = block * each; i < end; ++i) {
-      successors[i] = succeed(*sampled[i], refitter);
+      made[i] = succeed(sampled[i].first, *sampled[i].second, refitter);
     }
     progress.step();
   });
   progress.throwIfCancelled();
 
-  lastPass_ = {};
-  for (std::optional<Successor>& next : successors) {
-    Patch& patch = *next->patch;
-    lastPass_.samples += next->samples;
-    lastPass_.rejected += next->rejected;
-    lastPass_.saturated += next->saturated;
-    lastPass_.refitFailed += next->refitStatus == AWD_REFIT_FAILED;
-    lastPass_.refitLimited += next->refitStatus == AWD_REFIT_LIMIT;
-    lastPass_.refitIterations += next->refitIterations;
-    if (next->density) {
-      patch.density = std::move(next->density);
-      patch.learned = next->samples;
-    } else {
-      ++lastPass_.kept;
+  std::pmr::vector<Successor> successors(memory);
+  successors.reserve(made.size());
+  for (std::optional<Successor>& next : made) successors.push_back(std::move(*next));
+  return successors;
+}
+
+std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
+                                                  std::pmr::vector<Successor>& successors) {
+  std::pmr::memory_resource* memory = context_->memory();
+  std::pmr::vector<Newcomer> newcomers(memory);
+  std::pmr::vector<Part> parts(memory);
+  uint64_t bytes = statistics().bytes;
+  for (Successor& next : successors) {
+    const uint64_t each = sizeof(Patch) + next.statistics->bytes() + density(next.known).bytes();
+    uint64_t all = 0;
+    for (const uint64_t count : next.known.eighths) all += count;
+    const PatchKnowledge whole = next.known;
+    parts.push_back({next.key, &next.known, 0, SpatialTree::kEighths, all, whole.weight});
+    while (!parts.empty()) {
+      Part part = parts.back();
+      parts.pop_back();
+      const bool large = part.weight > settings_.patchSamples && part.eighths > 1;
+      if (!large || !tree.canSplit(part.leaf)) {
+        // Counts begin anew in a leaf that is a part of the former one: its eighths are smaller.
+        if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
+        part.known->weight = part.weight;
+        continue;
+      }
+      const uint32_t half = part.eighths / 2;
+      uint64_t first = 0;
+      for (uint32_t i = 0; i < half; ++i) first += whole.eighths[part.firstEighth + i];
+      const uint64_t counts[] = {first, part.samples - first};
+      if (counts[0] > 0 && counts[1] > 0) {
+        if (bytes + each > settings_.maxBytes) {
+          ++lastPass_.capped;
+          part.eighths = 1;
+          parts.push_back(part);
+          continue;
+        }
+        bytes += each;
+      }
+      const uint32_t keeper = counts[0] > 0 ? 0 : 1;
+      const uint32_t other = tree.split(part.leaf, keeper);
+      const auto share = [&](uint32_t side) {
+        return part.weight * static_cast<double>(counts[side]) / static_cast<double>(part.samples);
+      };
+      parts.push_back({part.leaf, part.known, part.firstEighth + keeper * half, half,
+                       counts[keeper], share(keeper)});
+      if (counts[1 - keeper] == 0) continue;
+      Owned<Patch> made =
+          makeOwned<Patch>(memory, memory,
+                           learning_.freshStatistics(density(whole).level(),
+                                                     next.statistics->common().unitExponent()));
+      made->known = whole;
+      made->seen = true;
+      made->learned = next.samples;
+      parts.push_back({other, &made->known, part.firstEighth + (1 - keeper) * half, half,
+                       counts[1 - keeper], share(1 - keeper)});
+      newcomers.push_back({other, std::move(made)});
     }
-    patch.statistics = std::move(next->statistics);
-    patch.marked.reset();
-    patch.seen = true;
   }
+  return newcomers;
+}
+
+void Field::take(Successor& next) {
+  Patch& patch = *next.patch;
+  lastPass_.samples += next.samples;
+  lastPass_.rejectedNaN += next.rejected[static_cast<std::size_t>(Rejection::kNaN)];
+  lastPass_.rejectedInfinite += next.rejected[static_cast<std::size_t>(Rejection::kInfinite)];
+  lastPass_.rejectedNegative += next.rejected[static_cast<std::size_t>(Rejection::kNegative)];
+  lastPass_.rejectedPdf += next.rejected[static_cast<std::size_t>(Rejection::kPdf)];
+  for (const uint64_t count : next.rejected) lastPass_.rejected += count;
+  lastPass_.saturated += next.saturated;
+  lastPass_.refitFailed += next.refit.status == AWD_REFIT_FAILED;
+  lastPass_.refitLimited += next.refit.status == AWD_REFIT_LIMIT;
+  lastPass_.refitIterations += next.refit.iterations;
+  if (next.known.density.get() != patch.known.density.get()) {
+    patch.learned = next.samples;
+  } else {
+    ++lastPass_.kept;
+  }
+  patch.known = std::move(next.known);
+  patch.statistics = std::move(next.statistics);
+  patch.marked.reset();
+  patch.seen = true;
+}
+
+AWDFieldStatistics Field::adapt() {
+  // All is made first and put in place after, so that a failure on the way changes nothing.
+  std::pmr::vector<Successor> successors = learnAll();
+  lastPass_ = {};
+  if (tree_) {
+    SpatialTree tree = *tree_;
+    std::pmr::vector<Newcomer> newcomers = splitAll(tree, successors);
+    tree.finish();
+    for (const Newcomer& newcomer : newcomers) table_.reserve(newcomer.key);
+    views_.reserve(tree.leaves());
+    *tree_ = std::move(tree);
+    views_.resize(tree_->leaves());
+    for (Newcomer& newcomer : newcomers) {
+      table_.touch(newcomer.key, [&] { return newcomer.patch.release(); });
+    }
+  }
+  for (Successor& next : successors) take(next);
+  for (uint32_t leaf = 0; leaf < views_.size(); ++leaf) views_[leaf] = viewOf(leaf);
   return statistics();
 }
 
 AWDFieldStatistics Field::statistics() const {
   AWDFieldStatistics figures = lastPass_;
-  figures.bytes = sizeof *this + table_.bytes();
-  for (const Ref<NormalPattern>& pattern : patterns_) figures.bytes += pattern->bytes();
+  figures.bytes = sizeof *this + table_.bytes() + learning_.bytes() + (tree_ ? tree_->bytes() : 0);
   table_.forEach([&](uint32_t, const Patch& patch) {
-    figures.bytes += patch.bytes();
+    figures.bytes += patch.bytes() + (patch.known.density ? patch.known.density->bytes() : 0);
     if (!patch.hasBeenSeen()) return;
     ++figures.patches;
-    figures.coefficients += density(patch).coefficients().size();
+    figures.coefficients += density(patch.known).coefficients().size();
   });
   return figures;
 }
@@ -322,8 +329,9 @@ void Field::mark() {
   std::pmr::vector<std::pair<Patch*, Owned<PatchStatistics>>> fresh(memory);
   table_.forEach([&](uint32_t, Patch& patch) {
     if (patch.marked || patch.statistics->samples() == 0) return;
-    fresh.emplace_back(
-        &patch, freshStatistics(density(patch).level(), patch.statistics->common().unitExponent()));
+    fresh.emplace_back(&patch,
+                       learning_.freshStatistics(density(patch.known).level(),
+                                                 patch.statistics->common().unitExponent()));
   });
   // Nothing below can fail.
   table_.forEach([&](uint32_t, Patch& patch) {
@@ -342,7 +350,7 @@ void Field::revert() {
 }
 
 AWDPatchInfo Field::patchInfo(uint32_t patch) const {
-  const Patch* known = table_.find(patch);
+  const Patch* known = table_.find(keyOf(patch));
   const BasisLevel& level = density(patch).level();
   return {sizeof(AWDPatchInfo), family().name().c_str(),      level.level,
           level.count,          known ? known->samples() : 0, known ? known->learned : 0};
@@ -350,8 +358,8 @@ AWDPatchInfo Field::patchInfo(uint32_t patch) const {
 
 std::pmr::vector<uint32_t> Field::patches() const {
   std::pmr::vector<uint32_t> numbers(context_->memory());
-  table_.forEach([&](uint32_t number, const Patch& patch) {
-    if (patch.hasBeenSeen()) numbers.push_back(number);
+  table_.forEach([&](uint32_t key, const Patch& patch) {
+    if (patch.hasBeenSeen()) numbers.push_back(numberOf(key));
   });
   return numbers;
 }

@@ -3,31 +3,31 @@
 // our renderer uses nothing else.
 #pragma once
 
+#include <array>
 #include <memory_resource>
+#include <optional>
 #include <vector>
 
 #include "awd/field.h"
-#include "density/bases.h"
-#include "density/learning.h"
+#include "density/finders.h"
+#include "guide/field_settings.h"
 #include "guide/hemisphere.h"
 #include "guide/patch.h"
+#include "guide/patch_learning.h"
 #include "guide/patch_table.h"
+#include "guide/spatial_tree.h"
+#include "util/bytes.h"
 #include "util/context.h"
 
 namespace awd {
 
-/// The settings of a field with every default settled.
-struct FieldSettings {
-  AWDPreset preset = AWD_PRESET_DEFAULT;
-  AWDHemisphereMap map = AWD_MAP_DEFAULT;
-  uint32_t startLevel = 0;
-  uint32_t maxLevel = 0;
-  LearningSettings learning;  ///< estimator, tau, shrinkage and solver
+/// What a pass needs to know of a patch, looked up once.
+struct PatchView {
+  const SquareDensity* density = nullptr;
+  Patch* patch = nullptr;  ///< null: none has been made yet
+  float mean = 0.0f;       ///< of f/p: the radiance reflected, in the units of what is recorded
+  uint32_t known = 0;      ///< 0: nothing has been learned about the mean
 };
-
-/// Settles what `desc` leaves open, within the levels that the family has. AWD_ERROR_... for what
-/// can't be.
-FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family);
 
 class Field final : public RefCounted {
  public:
@@ -35,13 +35,49 @@ class Field final : public RefCounted {
                          const FieldSettings& settings);
   Field(Ref<Context> context, const AWDBasisFamily& family, const FieldSettings& settings);
 
+  /// From what bytesOf() wrote.
+  static Ref<Field> load(Ref<Context> context, const void* bytes, std::size_t size,
+                         const Finders& find);
+
   Context& context() const { return *context_; }
   const FieldSettings& settings() const { return settings_; }
-  const Family& family() const { return bases_->family(0); }
+  const Family& family() const { return learning_.family(); }
+  bool isSpatial() const { return tree_.has_value(); }
 
-  AWDDirectionSample sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const;
+  /// The number of the patch at a point of a surface; only of a spatial field.
+  uint32_t findPatch(Vec3f point, Vec3f normal) const { return tree_->find(point, normal); }
+  PatchView view(uint32_t patch) const {
+    const uint32_t key = keyOf(patch);
+    return key < views_.size() ? views_[key] : viewOf(key);
+  }
+
+  /// Brings nearer what sampling and recording in a patch will read.
+  void prefetch(const PatchView& view) const {
+    view.density->prefetch();
+    if (view.patch) __builtin_prefetch(view.patch->statistics.get());
+  }
+
+  AWDDirectionSample sample(const SquareDensity& density, Vec3f normal,
+                            const double uniforms[3]) const;
+  AWDDirectionSample sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const {
+    return sample(density(patch), normal, uniforms);
+  }
   float pdf(uint32_t patch, Vec3f normal, Vec3f direction) const;
-  void record(uint32_t patch, const AWDDirectionSample& sample, double value);
+  /// A direction that the host drew, as a sample that can be recorded; of pdf and solid angle 0
+  /// below the horizon.
+  AWDDirectionSample mapDirection(uint32_t patch, Vec3f normal, Vec3f direction) const;
+  void record(uint32_t patch, const AWDDirectionSample& sample, double value) {
+    record(patch, view(patch), sample, value);
+  }
+  void record(uint32_t patch, const PatchView& view, const AWDDirectionSample& sample,
+              double value);
+  /// Fails as record() would for a patch or component that can't be.
+  void checkRecord(uint32_t patch, const AWDDirectionSample& sample) const;
+  /// A sample of the patch whose pdf makes no sense.
+  void reject(uint32_t patch, const AWDDirectionSample& sample);
+  /// Records what a path brought at each of its vertices, from the camera on; its radiance. All
+  /// that can fail has been checked.
+  Vec3d recordPath(const AWDPathVertex* vertices, std::size_t count, Vec3d background);
 
   void setScale(double magnitude);
   AWDFieldStatistics adapt();
@@ -49,10 +85,14 @@ class Field final : public RefCounted {
   /// What has been recorded so far is kept apart, so that revert() can drop what comes after.
   void mark();
   void revert();
+  /// Adds what another field of the same densities has recorded since the last adapt.
+  void merge(const Field& other);
+  /// Everything that the field is and has recorded.
+  std::pmr::vector<char> bytesOf() const;
 
   AWDPatchInfo patchInfo(uint32_t patch) const;
   /// The density of a patch, or the start density.
-  const SquareDensity& density(uint32_t patch) const;
+  const SquareDensity& density(uint32_t patch) const { return *view(patch).density; }
   std::pmr::vector<uint32_t> patches() const;
   /// p at the middles of n x n pixels: u to the right, v downwards; rows rowStride bytes apart.
   void pdfImage(uint32_t patch, uint32_t n, float* pixels, std::size_t rowStride) const;
@@ -62,35 +102,61 @@ class Field final : public RefCounted {
 
   /// What a patch becomes at the end of a pass.
   struct Successor {
+    uint32_t key;
     Patch* patch;
-    Owned<SquareDensity> density;  ///< null: as it was
+    PatchKnowledge known;
     Owned<PatchStatistics> statistics;
-    uint64_t samples, rejected, saturated;
-    AWDRefitStatus refitStatus;
-    uint32_t refitIterations;
+    uint64_t samples;
+    std::array<uint64_t, kRejections> rejected;
+    uint64_t saturated;
+    RefitReport refit;
   };
-  Successor succeed(Patch& patch, const Refitter& refitter) const;
-  /// The density made of a pass's samples; null if they are of no use.
-  Owned<SquareDensity> learn(const PatchStatistics& statistics, const BasisLevel& level,
-                             const Refitter& refitter, RefitReport& report) const;
-  /// The coefficients that the estimator makes of them, on the same level; empty if it can't.
-  Coefficients estimate(const PatchStatistics& statistics, const BasisLevel& level,
-                        const Refitter& refitter, RefitReport& report) const;
-  bool finerIsDue(uint32_t level, uint64_t samples) const;
-  Owned<PatchStatistics> freshStatistics(const BasisLevel& level, int unitExponent) const;
-  const SquareDensity& density(const Patch& patch) const {
-    return patch.density ? *patch.density : start_;
+  /// A patch that a split has made.
+  struct Newcomer {
+    uint32_t key;
+    Owned<Patch> patch;
+  };
+  /// What a split needs to know of a leaf: its part of what its patch knows.
+  struct Part {
+    uint32_t leaf;
+    PatchKnowledge* known;
+    uint32_t firstEighth, eighths;
+    uint64_t samples;  ///< in these
+    double weight;
+  };
+
+  Successor succeed(uint32_t key, Patch& patch, const Refitter& refitter) const;
+  std::pmr::vector<Successor> learnAll();
+  /// Splits leaves of many samples in `tree`; patches for those halves that have had any.
+  std::pmr::vector<Newcomer> splitAll(SpatialTree& tree, std::pmr::vector<Successor>& successors);
+  void take(Successor& successor);
+  uint32_t keyOf(uint32_t patch) const {
+    return isSpatial() ? patch / SpatialTree::kEighths : patch;
   }
-  Patch& touch(uint32_t patch);
+  uint32_t numberOf(uint32_t key) const { return isSpatial() ? key * SpatialTree::kEighths : key; }
+  const SquareDensity& density(const PatchKnowledge& known) const {
+    return known.density ? *known.density : *start_;
+  }
+  /// The patch of that key or, if none has been made yet, the one that its leaf was split from.
+  const Patch* nearest(uint32_t key) const;
+  PatchView viewOf(uint32_t key) const;
+  Patch& touch(uint32_t key);
+
+  Owned<PatchStatistics> getStatistics(ByteReader& reader, const BasisLevel& level,
+                                       int unitExponent) const;
+  void checkMerge(const Field& other) const;
+  /// Fails unless the patch of that key is the same in both, but for what was recorded.
+  void checkMerge(const Field& other, uint32_t key) const;
 
   Ref<Context> context_;
   FieldSettings settings_;
-  Ref<DensityBases> bases_;
-  std::pmr::vector<Ref<NormalPattern>> patterns_;  ///< one a level from the start on, for refit
-  SquareDensity start_;
+  PatchLearning learning_;
+  Ref<SquareDensity> start_;
   int unitExponent_;
   AWDFieldStatistics lastPass_;  ///< of the last adapt: all but patches, coefficients and bytes
+  std::optional<SpatialTree> tree_;
   PatchTable<Patch> table_;
+  std::pmr::vector<PatchView> views_;  ///< of a spatial field's leaves, as the last adapt left them
 };
 
 }  // namespace awd

@@ -23,6 +23,30 @@ MappedDirection spherical(float u, float v) {
   return {{sine * std::cos(phi), sine * std::sin(phi), cosine}, kPi * kPi * sine};
 }
 
+MappedDirection cylindrical(float u, float v) {
+  const float cosine = std::max(u, kLeastCosine);
+  const float sine = std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
+  const float phi = 2.0f * kPi * v;
+  return {{sine * std::cos(phi), sine * std::sin(phi), cosine}, 2.0f * kPi};
+}
+
+MappedDirection malley(float u, float v) {
+  const float radius = std::sqrt(u);
+  const float phi = 2.0f * kPi * v;
+  const float cosine = std::sqrt(std::max(1.0f - u, kLeastCosine * kLeastCosine));
+  return {{radius * std::cos(phi), radius * std::sin(phi), cosine}, kPi / cosine};
+}
+
+/// Sine and cosine for |x| <= pi/4 by Taylor's series: to the last bits of a float.
+float sineWithin(float x) {
+  const float y = x * x;
+  return x * (1.0f + y * (-1.0f / 6 + y * (1.0f / 120 + y * (-1.0f / 5040 + y / 362880))));
+}
+float cosineWithin(float x) {
+  const float y = x * x;
+  return 1.0f + y * (-0.5f + y * (1.0f / 24 + y * (-1.0f / 720 + y / 40320)));
+}
+
 MappedDirection concentricCosine(float u, float v) {
   const float a = 2.0f * u - 1.0f;
   const float b = 2.0f * v - 1.0f;
@@ -32,8 +56,8 @@ MappedDirection concentricCosine(float u, float v) {
     const bool alongX = std::abs(a) > std::abs(b);
     const float radius = alongX ? a : b;
     const float angle = alongX ? 0.25f * kPi * (b / a) : 0.25f * kPi * (a / b);
-    const float major = radius * std::cos(angle);
-    const float minor = radius * std::sin(angle);
+    const float major = radius * cosineWithin(angle);
+    const float minor = radius * sineWithin(angle);
     x = alongX ? major : minor;
     y = alongX ? minor : major;
   }
@@ -56,14 +80,25 @@ Frame::Frame(Vec3f n) : normal(n) {
 }
 
 MappedDirection mapToHemisphere(AWDHemisphereMap map, float u, float v) {
-  return map == AWD_MAP_SPHERICAL ? spherical(u, v) : concentricCosine(u, v);
+  switch (map) {
+    case AWD_MAP_SPHERICAL:
+      return spherical(u, v);
+    case AWD_MAP_CYLINDRICAL:
+      return cylindrical(u, v);
+    case AWD_MAP_COSINE:
+      return malley(u, v);
+    default:
+      return concentricCosine(u, v);
+  }
 }
 
 void mapToSquare(AWDHemisphereMap map, Vec3f d, float& u, float& v) {
-  if (map == AWD_MAP_SPHERICAL) {
+  if (map != AWD_MAP_CONCENTRIC_COSINE) {
     const float phi = std::atan2(d.y, d.x);
-    u = belowOne(std::atan2(std::hypot(d.x, d.y), d.z) * (2.0f / kPi));
     v = belowOne((phi < 0.0f ? phi + 2.0f * kPi : phi) / (2.0f * kPi));
+    u = belowOne(map == AWD_MAP_SPHERICAL     ? std::atan2(std::hypot(d.x, d.y), d.z) * (2.0f / kPi)
+                 : map == AWD_MAP_CYLINDRICAL ? d.z
+                                              : d.x * d.x + d.y * d.y);
     return;
   }
   const bool alongX = std::abs(d.x) > std::abs(d.y);
@@ -79,6 +114,7 @@ void mapToSquare(AWDHemisphereMap map, Vec3f d, float& u, float& v) {
 
 float solidAngleAt(AWDHemisphereMap map, Vec3f d) {
   if (map == AWD_MAP_SPHERICAL) return kPi * kPi * std::max(std::hypot(d.x, d.y), kLeastSine);
+  if (map == AWD_MAP_CYLINDRICAL) return 2.0f * kPi;
   return kPi / std::max(d.z, kLeastCosine);
 }
 

@@ -25,6 +25,8 @@ struct MappedDirection {
 };
 
 /// spherical: theta = pi u / 2, phi = 2 pi v; d omega = pi^2 sin(theta) du dv.
+/// cylindrical: cos(theta) = u, phi = 2 pi v; d omega = 2 pi du dv.
+/// cosine: Malley's method in polar coordinates, sin(theta)^2 = u, phi = 2 pi v; as the next.
 /// concentric-cosine: Shirley and Chiu's equal-area map of the square to the disk, then straight
 /// up to the dome (Malley); d omega = pi / cos(theta) du dv.
 MappedDirection mapToHemisphere(AWDHemisphereMap map, float u, float v);

@@ -6,26 +6,34 @@
 
 #include "density/square_density.h"
 #include "guide/patch_statistics.h"
-#include "util/context.h"
 
 namespace awd {
 
+/// What all passes together have taught a patch.
+struct PatchKnowledge {
+  Ref<SquareDensity> density;  ///< null: the field's start density
+  double weight = 0.0;         ///< samples that it was made of; a part of them after a split
+  double mean = 0.0;           ///< of f/p over them: the integral of f
+  double alpha = 1.0;          ///< share of the constant in the density
+  PatchStatistics::Eighths eighths{};  ///< samples in each, since the last split
+};
+
 struct Patch {
   Patch(std::pmr::memory_resource* memory, Owned<PatchStatistics> fresh)
-      : density(nullptr, {memory}), statistics(std::move(fresh)), marked(nullptr, {memory}) {}
+      : statistics(std::move(fresh)), marked(nullptr, {memory}) {}
 
-  Owned<SquareDensity> density;  ///< null: the field's start density
-  uint64_t learned = 0;          ///< samples that the density was made of
-  bool seen = false;             ///< had a sample in a pass that is over
+  PatchKnowledge known;
+  uint64_t learned = 0;  ///< samples of the pass that the density was last made of
+  bool seen = false;     ///< had a sample in a pass that is over
   Owned<PatchStatistics> statistics;
   Owned<PatchStatistics> marked;  ///< the statistics before the field's mark, if there were any
 
   /// Samples since the last adapt, those before the mark included.
   uint64_t samples() const { return statistics->samples() + (marked ? marked->samples() : 0); }
   bool hasBeenSeen() const { return seen || samples() > 0; }
+  /// Without the density, which patches may share.
   std::size_t bytes() const {
-    return sizeof *this + (density ? density->bytes() : 0) + statistics->bytes() +
-           (marked ? marked->bytes() : 0);
+    return sizeof *this + statistics->bytes() + (marked ? marked->bytes() : 0);
   }
 };
 

@@ -40,6 +40,14 @@ class PatchTable {
     return reach<T>(node->slot(number), makePatch);
   }
 
+  /// Makes touch() of this number need no memory but the patch's own.
+  void reserve(uint32_t number) {
+    Node* node = &root_;
+    for (int shift = 24; shift > 0; shift -= 8) {
+      node = &reach<Node>(node->slot(number >> shift), [&] { return make<Node>(memory_); });
+    }
+  }
+
   /// Calls visit(number, patch) in ascending order of numbers. Exclusive.
   template <class Visit>
   void forEach(Visit&& visit) const {

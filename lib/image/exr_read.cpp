@@ -22,8 +22,8 @@
 #include "image/exr_check.h"
 #include "image/exr_deep.h"
 #include "image/exr_names.h"
-#include "image/file_bytes.h"
 #include "util/error.h"
+#include "util/file_bytes.h"
 
 namespace awd {
 

@@ -5,28 +5,35 @@
 
 namespace awd {
 
-void Film::merge(const Film& pass, uint64_t samples) {
+void Film::merge(const PassFilm& pass, uint64_t samples, double weight) {
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    pixels_[i].sum += pass.pixels_[i].sum;
-    pixels_[i].squares += pass.pixels_[i].squares;
+    pixels_[i].weighted += pass.pixels[i].sum * weight;
+    pixels_[i].sum += pass.pixels[i].sum * (weight * weight);
+    pixels_[i].squares += pass.pixels[i].squares * (weight * weight);
   }
   samples_ += samples;
+  weights_ += weight * static_cast<double>(samples);
+  squaredWeights_ += weight * weight * static_cast<double>(samples);
 }
 
 Rgb Film::mean(std::size_t pixel) const {
   if (samples_ == 0) return {};
-  return convert<float>(pixels_[pixel].sum * (1.0 / static_cast<double>(samples_)));
+  return convert<float>(pixels_[pixel].weighted * (1.0 / weights_));
 }
 
 Rgb Film::variance(std::size_t pixel) const {
-  if (samples_ < 2) return {};
-  const auto n = static_cast<double>(samples_);
+  // Of the squared deviations from the true mean, those from the estimated one leave out its own
+  // variance: (sum w)^2 - sum w^2 remain of (sum w)^2.
+  const double divisor = weights_ * weights_ - squaredWeights_;
+  if (samples_ < 2 || !(divisor > 0.0)) return {};
   const Pixel& p = pixels_[pixel];
-  const auto ofMean = [n](double sum, double squares) {
-    const double mean = sum / n;
-    return static_cast<float>(std::max(squares / n - mean * mean, 0.0) / (n - 1.0));
+  const auto ofMean = [&](double weighted, double sum, double squares) {
+    const double mean = weighted / weights_;
+    const double deviations = squares - 2.0 * mean * sum + mean * mean * squaredWeights_;
+    return static_cast<float>(std::max(deviations, 0.0) / divisor);
   };
-  return {ofMean(p.sum.x, p.squares.x), ofMean(p.sum.y, p.squares.y), ofMean(p.sum.z, p.squares.z)};
+  return {ofMean(p.weighted.x, p.sum.x, p.squares.x), ofMean(p.weighted.y, p.sum.y, p.squares.y),
+          ofMean(p.weighted.z, p.sum.z, p.squares.z)};
 }
 
 }  // namespace awd

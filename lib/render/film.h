@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film: sums of radiance and of its square over all samples of each pixel. The mean over all
-// passes is the paper's sum of pass images weighted by their samples.
+// The film: what all passes have found, each with a weight per sample. With equal weights its mean
+// is the paper's sum of pass images weighted by their samples.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,25 @@
 
 namespace awd {
 
-struct Pixel {
-  Vec3d sum;
-  Vec3d squares;
+/// The samples of a pixel in one pass.
+struct PixelSums {
+  Vec3d sum, squares;
 
   void add(Rgb radiance) {
     const Vec3d value = convert<double>(radiance);
     sum += value;
     squares += value * value;
   }
+};
+
+/// The image of one pass.
+struct PassFilm {
+  PassFilm(std::pmr::memory_resource* memory, uint32_t columns, uint32_t rows)
+      : width(columns), height(rows), pixels(std::size_t{columns} * rows, memory) {}
+  PixelSums& pixel(uint32_t x, uint32_t y) { return pixels[std::size_t{y} * width + x]; }
+
+  uint32_t width, height;
+  std::pmr::vector<PixelSums> pixels;
 };
 
 class Film {
@@ -30,20 +40,26 @@ class Film {
   uint32_t width() const { return width_; }
   uint32_t height() const { return height_; }
   uint64_t samples() const { return samples_; }  ///< per pixel
-  Pixel& pixel(uint32_t x, uint32_t y) { return pixels_[std::size_t{y} * width_ + x]; }
 
-  /// Adds a pass of that many samples per pixel.
-  void merge(const Film& pass, uint64_t samples);
+  /// Adds a pass of that many samples per pixel, each of which counts for `weight` > 0.
+  void merge(const PassFilm& pass, uint64_t samples, double weight);
 
-  /// Mean radiance, and the estimated variance of that mean: (mean of squares - square of the
-  /// mean) / (samples - 1), 0 below 2 samples.
+  /// Mean radiance sum w x / sum w, and the estimated variance of that mean,
+  /// sum w^2 (x - mean)^2 / (sum w)^2 made unbiased for equal variances; 0 below 2 samples.
   Rgb mean(std::size_t pixel) const;
   Rgb variance(std::size_t pixel) const;
   std::size_t bytes() const { return pixels_.capacity() * sizeof(Pixel); }
 
  private:
+  struct Pixel {
+    Vec3d weighted;      ///< sum w x
+    Vec3d sum, squares;  ///< sum w^2 x, sum w^2 x^2
+  };
+
   uint32_t width_, height_;
   uint64_t samples_ = 0;
+  double weights_ = 0.0;         ///< sum w
+  double squaredWeights_ = 0.0;  ///< sum w^2
   std::pmr::vector<Pixel> pixels_;
 };
 

@@ -50,6 +50,9 @@ class Geometry final : public RefCounted {
   /// Host coordinates to the normalised frame, and lengths likewise.
   Vec3f toFrame(Vec3f p) const { return convert<float>((convert<double>(p) - center_) * scale_); }
   float scale() const { return static_cast<float>(scale_); }
+  Vec3f fromFrame(Vec3f p) const {
+    return convert<float>(convert<double>(p) * (1.0 / scale_) + center_);
+  }
 
   /// A point that was hit, moved onto its triangle's plane as closely as floats allow.
   static Vec3f onPlane(const Triangle& triangle, Vec3f p) {

@@ -12,12 +12,17 @@ namespace awd {
 namespace {
 
 constexpr float kPi = 3.14159265358979323846f;
-constexpr uint32_t kShadowRays = 4;
+constexpr uint32_t kPaperShadowRays = 4;
 constexpr uint32_t kMostShadowRays = 1024;
-constexpr uint32_t kMaxLights = 8;
+constexpr uint32_t kPaperMaxLights = 8;
+constexpr uint32_t kMaxLights = 1;
 /// From here on even a white surface ends paths.
 constexpr std::size_t kLongPath = 64;
 constexpr float kLongPathChance = 0.95f;
+/// Roulette by what is to come: survivors carry about 1 / kAdjointFactor of what the pixel is
+/// expected to have, and one in 1 / kLeastChance goes on in any case.
+constexpr float kAdjointFactor = 2.0f;
+constexpr float kLeastChance = 0.1f;
 
 }  // namespace
 
@@ -30,10 +35,15 @@ PathSettings settle(const AWDRenderDesc& desc) {
   check(desc.preset, AWD_PRESET_PAPER, "preset");
   check(desc.guide, AWD_GUIDE_UNIFORM, "guide");
   check(desc.direct, AWD_DIRECT_WEIGHTED, "direct");
-  check(desc.roulette, AWD_ROULETTE_THROUGHPUT, "roulette");
+  check(desc.roulette, AWD_ROULETTE_ADJOINT, "roulette");
   if (desc.shadowRays > kMostShadowRays) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->shadowRays is %u: at most %u are allowed",
          desc.shadowRays, kMostShadowRays);
+  }
+  if (desc.roulette == AWD_ROULETTE_ADJOINT && desc.guide != AWD_GUIDE_ADAPTIVE) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "desc->roulette is AWD_ROULETTE_ADJOINT: it goes by what a field has learned, and "
+         "desc->guide is not AWD_GUIDE_ADAPTIVE");
   }
   const bool paper = desc.preset == AWD_PRESET_PAPER;
   PathSettings settings;
@@ -42,11 +52,12 @@ PathSettings settle(const AWDRenderDesc& desc) {
   // Uniform sampling has weights up to 2 albedo: roulette by albedo alone lets them multiply to
   // an infinite variance from albedo 3/4 on (second moment 4 albedo / 3 a vertex).
   const bool spread = desc.guide == AWD_GUIDE_UNIFORM && !paper;
-  settings.roulette = desc.roulette ? desc.roulette
-                      : spread      ? AWD_ROULETTE_THROUGHPUT
-                                    : AWD_ROULETTE_ALBEDO;
-  settings.shadowRays = desc.shadowRays ? desc.shadowRays : kShadowRays;
-  settings.maxLights = desc.maxLights ? desc.maxLights : kMaxLights;
+  settings.roulette = desc.roulette                                ? desc.roulette
+                      : spread                                     ? AWD_ROULETTE_THROUGHPUT
+                      : desc.guide == AWD_GUIDE_ADAPTIVE && !paper ? AWD_ROULETTE_ADJOINT
+                                                                   : AWD_ROULETTE_ALBEDO;
+  settings.shadowRays = desc.shadowRays ? desc.shadowRays : paper ? kPaperShadowRays : 1;
+  settings.maxLights = desc.maxLights ? desc.maxLights : paper ? kPaperMaxLights : kMaxLights;
   return settings;
 }
 
@@ -63,7 +74,7 @@ PathTracer::PathTracer(std::pmr::memory_resource* memory, const Geometry& geomet
   }
 }
 
-Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random) {
+Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random, float expected) {
   path_.clear();
   Rgb throughput = {1.0f, 1.0f, 1.0f};
   for (;;) {
@@ -95,11 +106,19 @@ Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random) {
     };
     vertex.albedo = material.albedo;
     vertex.patch = triangle.patch | (front ? 0u : AWD_PATCH_BACK);
+    PatchView& patch = vertex.view;
+    if (field_) {
+      if (field_->isSpatial()) {
+        vertex.patch = field_->findPatch(geometry_.fromFrame(surface.point), surface.normal);
+      }
+      patch = field_->view(vertex.patch);
+      field_->prefetch(patch);
+    }
     vertex.direct = directLight(surface, random);
 
-    const float chance = chanceToGoOn(path_.size(), throughput, material.albedo);
+    const float chance = chanceToGoOn(path_.size(), throughput, material.albedo, patch, expected);
     if (random.next() >= chance) break;
-    const Indirect indirect = chooseDirection(surface, vertex.patch, random);
+    const Indirect indirect = chooseDirection(surface, patch, random);
     vertex.sample = indirect.sample;
     vertex.cosine = indirect.cosine;
     vertex.weight = material.albedo * (indirect.weight / chance);
@@ -120,7 +139,8 @@ Rgb PathTracer::gather() {
       // The field learns the luminance of f_r L_i cos(theta).
       if (field_) {
         const Rgb reflected = vertex.albedo * radiance * (vertex.cosine / kPi);
-        field_->record(vertex.patch, vertex.sample, static_cast<double>(luminance(reflected)));
+        field_->record(vertex.patch, vertex.view, vertex.sample,
+                       static_cast<double>(luminance(reflected)));
       }
       leaving += vertex.weight * radiance;
     }
@@ -129,21 +149,26 @@ Rgb PathTracer::gather() {
   return radiance;
 }
 
-float PathTracer::chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo) const {
-  float chance = settings_.roulette == AWD_ROULETTE_ALBEDO
-                     ? maxComponent(albedo)
-                     : std::min(maxComponent(throughput * albedo), 1.0f);
+float PathTracer::chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo,
+                               const PatchView& patch, float expected) const {
+  float chance = maxComponent(albedo);
+  if (settings_.roulette == AWD_ROULETTE_THROUGHPUT) {
+    chance = std::min(maxComponent(throughput * albedo), 1.0f);
+  } else if (settings_.roulette == AWD_ROULETTE_ADJOINT && patch.known && expected > 0.0f) {
+    chance = std::clamp(kAdjointFactor * luminance(throughput) * patch.mean / expected,
+                        kLeastChance, 1.0f);
+  }
   if (depth > kLongPath) chance = std::min(chance, kLongPathChance);
   return chance;
 }
 
-PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, uint32_t patch,
+PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const PatchView& patch,
                                                  RandomStream& random) const {
   double uniforms[3];
   for (double& u : uniforms) u = random.next();
   Indirect indirect = {};
   if (field_) {
-    indirect.sample = field_->sample(patch, surface.normal, uniforms);
+    indirect.sample = field_->sample(*patch.density, surface.normal, uniforms);
     indirect.direction = load(indirect.sample.direction);
     indirect.cosine = std::max(dot(indirect.direction, surface.normal), 0.0f);
     indirect.weight = indirect.cosine / (kPi * indirect.sample.pdf);

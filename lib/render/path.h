@@ -17,8 +17,8 @@ struct PathSettings {
   AWDGuide guide = AWD_GUIDE_ADAPTIVE;
   AWDDirectLight direct = AWD_DIRECT_WEIGHTED;
   AWDRoulette roulette = AWD_ROULETTE_ALBEDO;
-  uint32_t shadowRays = 4;
-  uint32_t maxLights = 8;
+  uint32_t shadowRays = 1;
+  uint32_t maxLights = 1;
 };
 
 /// Settles what `desc` leaves open; AWD_ERROR_INVALID_ARGUMENT for values that are none.
@@ -32,8 +32,9 @@ class PathTracer {
              const PathSettings& settings);
 
   /// Radiance arriving at `origin` from `direction`, one sample. NaN or infinite only if the
-  /// scene's own radiance leaves the range of floats.
-  Rgb trace(Vec3f origin, Vec3f direction, RandomStream& random);
+  /// scene's own radiance leaves the range of floats. expected: luminance that the pixel is
+  /// expected to have, 0: not known; roulette alone goes by it.
+  Rgb trace(Vec3f origin, Vec3f direction, RandomStream& random, float expected = 0.0f);
 
   uint64_t rays() const { return rays_; }
   uint64_t shadowRays() const { return shadowRays_; }
@@ -47,6 +48,7 @@ class PathTracer {
     Rgb albedo;
     float cosine;
     uint32_t patch;
+    PatchView view;
     AWDDirectionSample sample;
     bool goesOn;  ///< an indirect ray was traced
   };
@@ -61,8 +63,10 @@ class PathTracer {
     AWDDirectionSample sample;
   };
 
-  Indirect chooseDirection(const Surface& surface, uint32_t patch, RandomStream& random) const;
-  float chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo) const;
+  Indirect chooseDirection(const Surface& surface, const PatchView& patch,
+                           RandomStream& random) const;
+  float chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo, const PatchView& patch,
+                     float expected) const;
   Rgb directLight(const Surface& surface, RandomStream& random);
   Rgb oneShadowRay(const Surface& surface, const Light& light, float choice, double u, double v);
   /// Share of a light's radiance that an indirect ray may count (balance heuristic).

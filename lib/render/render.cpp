@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "render/pass_weight.h"
 #include "render/schedule.h"
 #include "util/error.h"
 
@@ -35,6 +36,20 @@ class Stopwatch {
 
 bool isRadiance(Rgb c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f; }
 
+AWDCombination combinationOf(const AWDRenderDesc& desc) {
+  if (desc.combination != AWD_COMBINE_DEFAULT && desc.combination != AWD_COMBINE_COUNT &&
+      desc.combination != AWD_COMBINE_INVERSE_VARIANCE) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "desc->combination is %d: renders know AWD_COMBINE_COUNT and "
+         "AWD_COMBINE_INVERSE_VARIANCE",
+         desc.combination);
+  }
+  if (desc.combination) return desc.combination;
+  return desc.guide == AWD_GUIDE_ADAPTIVE && desc.preset != AWD_PRESET_PAPER
+             ? AWD_COMBINE_INVERSE_VARIANCE
+             : AWD_COMBINE_COUNT;
+}
+
 }  // namespace
 
 struct Render::Counters {
@@ -57,7 +72,9 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
       settings_(settle(desc)),
       seed_(desc.seed),
       camera_(*desc.camera, *geometry_),
+      combination_(combinationOf(desc)),
       film_(context_->memory(), camera_.width(), camera_.height()),
+      expected_(context_->memory()),
       statistics_(context_->memory()) {
   if (field_) {
     const double brightest = geometry_->lights().brightest();
@@ -70,20 +87,22 @@ void Render::destroy() noexcept {
   unmake(context->memory(), this);
 }
 
-void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, Film& film, Counters& counters) {
-  const uint32_t columns = tilesAlong(film.width());
+void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
+                        Counters& counters) {
+  const uint32_t columns = tilesAlong(film.width);
   const uint32_t x0 = tile % columns * kTile;
   const uint32_t y0 = tile / columns * kTile;
   PathTracer tracer(context_->memory(), *geometry_, field_.get(), settings_);
   uint64_t rejected = 0;
-  for (uint32_t y = y0; y < std::min(y0 + kTile, film.height()); ++y) {
-    for (uint32_t x = x0; x < std::min(x0 + kTile, film.width()); ++x) {
-      const uint64_t number = uint64_t{y} * film.width() + x;
+  for (uint32_t y = y0; y < std::min(y0 + kTile, film.height); ++y) {
+    for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {
+      const uint64_t number = uint64_t{y} * film.width + x;
       for (uint32_t s = 0; s < samplesPerPixel; ++s) {
         RandomStream random(seed_, statistics_.size(), number, s);
         const double u = x + random.next();
         const double v = y + random.next();
-        const Rgb radiance = tracer.trace(camera_.eye(), camera_.direction(u, v), random);
+        const float expected = expected_.empty() ? 0.0f : expected_[number];
+        const Rgb radiance = tracer.trace(camera_.eye(), camera_.direction(u, v), random, expected);
         if (isRadiance(radiance)) {
           film.pixel(x, y).add(radiance);
         } else {
@@ -102,7 +121,10 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
   }
   const Stopwatch watch;
-  Film pass(context_->memory(), film_.width(), film_.height());
+  PassFilm pass(context_->memory(), film_.width(), film_.height());
+  if (settings_.roulette == AWD_ROULETTE_ADJOINT) {
+    expected_ = blurredLuminance(context_->memory(), film_);
+  }
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();
   Counters counters;
@@ -119,7 +141,9 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
     if (field_) field_->revert();
     throw;
   }
-  film_.merge(pass, samplesPerPixel);
+  const bool byVariance = combination_ == AWD_COMBINE_INVERSE_VARIANCE;
+  film_.merge(pass, samplesPerPixel,
+              byVariance ? passWeight(context_->memory(), pass, samplesPerPixel) : 1.0);
 
   AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
   figures.samplesPerPixel = samplesPerPixel;
@@ -186,7 +210,13 @@ uint32_t Render::pixelPatch(uint32_t x, uint32_t y) const {
     return AWD_INVALID_ID;
   }
   const Triangle& triangle = geometry_->triangle(hit.triangle);
-  return triangle.patch | (dot(triangle.normal, direction) > 0.0f ? AWD_PATCH_BACK : 0u);
+  const bool back = dot(triangle.normal, direction) > 0.0f;
+  if (field_ && field_->isSpatial()) {
+    const Vec3f point = Geometry::onPlane(triangle, camera_.eye() + direction * hit.t);
+    return field_->findPatch(geometry_->fromFrame(point),
+                             back ? -triangle.normal : triangle.normal);
+  }
+  return triangle.patch | (back ? AWD_PATCH_BACK : 0u);
 }
 
 }  // namespace awd

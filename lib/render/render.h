@@ -36,7 +36,7 @@ class Render final : public RefCounted {
  private:
   void destroy() noexcept override;
   struct Counters;
-  void renderTile(uint32_t tile, uint32_t samplesPerPixel, Film& film, Counters& counters);
+  void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, Counters& counters);
   void adapt();
 
   Ref<Context> context_;
@@ -46,7 +46,9 @@ class Render final : public RefCounted {
   PathSettings settings_;
   uint64_t seed_;
   Camera camera_;
+  AWDCombination combination_;
   Film film_;
+  std::pmr::vector<float> expected_;  ///< luminance of pixels before the pass at hand, for roulette
   std::pmr::vector<AWDPassStatistics> statistics_;
 };
 

@@ -14,6 +14,10 @@ constexpr std::size_t kLengthAt = kVersionAt + 4;
 constexpr std::size_t kChecksumAt = kLengthAt + 8;
 constexpr std::size_t kHeader = kChecksumAt + 8;
 
+/// A packed number's byte: so many bits of it, and whether there are more.
+constexpr int kPackedBits = 7;
+constexpr uint64_t kPackedMore = 1u << kPackedBits;
+
 /// Every bit of the frame but the checksum's own reaches every bit of this.
 uint64_t checksum(const char* bytes, std::size_t size) {
   uint64_t sum = mixBits(size);
@@ -45,6 +49,13 @@ ByteWriter::ByteWriter(std::pmr::memory_resource* memory, std::string_view magic
 void ByteWriter::putText(std::string_view text) {
   put(static_cast<uint32_t>(text.size()));
   bytes_.insert(bytes_.end(), text.begin(), text.end());
+}
+
+void ByteWriter::putPacked(uint64_t number) {
+  for (; number >= kPackedMore; number >>= kPackedBits) {
+    bytes_.push_back(static_cast<char>(number | kPackedMore));
+  }
+  bytes_.push_back(static_cast<char>(number));
 }
 
 const std::pmr::vector<char>& ByteWriter::finish() {
@@ -79,6 +90,18 @@ std::string_view ByteReader::getText(std::size_t longest) {
   const auto size = get<uint32_t>();
   if (size > longest) damaged();
   return {take(size), size};
+}
+
+uint64_t ByteReader::getPacked() {
+  uint64_t number = 0;
+  for (int shift = 0;; shift += kPackedBits) {
+    const uint64_t byte = static_cast<unsigned char>(*take(1));
+    const uint64_t bits = byte % kPackedMore;
+    // Beyond the 64th bit there is nothing, and no number ends in bytes that say nothing.
+    if (shift > 63 || bits << shift >> shift != bits || (byte == 0 && shift > 0)) damaged();
+    number |= bits << shift;
+    if (byte < kPackedMore) return number;
+  }
 }
 
 std::size_t ByteReader::getCount(std::size_t itemSize) {

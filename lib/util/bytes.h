@@ -32,6 +32,8 @@ class ByteWriter {
     }
   }
   void putText(std::string_view text);
+  /// A number that tends to be small: seven bits a byte, the lowest first.
+  void putPacked(uint64_t number);
 
   /// Completes the frame.
   const std::pmr::vector<char>& finish();
@@ -70,6 +72,7 @@ class ByteReader {
     return number;
   }
   std::string_view getText(std::size_t longest);
+  uint64_t getPacked();
   /// A count of items of which each takes that many bytes at least, so that no more is allocated
   /// than was given.
   std::size_t getCount(std::size_t itemSize);

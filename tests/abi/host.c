@@ -228,6 +228,29 @@ static void checkMemory(void) {
 /* --- the field, as far as struct rules go
  * --------------------------------------------------------- */
 
+/* A path of one vertex through a field and its bytes. */
+static void checkPath(AWDField field) {
+  const float up[3] = {0.0f, 0.0f, 1.0f}, white[3] = {1.0f, 1.0f, 1.0f};
+  const double uniforms[3] = {0.5, 0.25, 0.75};
+  const uint32_t patch = 3;
+  AWDFieldStatistics figures = AWD_FIELD_STATISTICS_INIT;
+  AWDPathVertex vertex;
+  float radiance[3] = {0.0f, 0.0f, 0.0f};
+  size_t size = 0;
+  memset(&vertex, 0, sizeof vertex);
+  CHECK(awdSampleFieldBatch(field, 1, &patch, up, uniforms, &vertex.sample) == AWD_SUCCESS);
+  vertex.patch = patch;
+  vertex.continuation = 0.5f;
+  vertex.emitted[0] = 1.0f;
+  vertex.scattering[0] = vertex.sample.pdf;
+  CHECK(awdRecordFieldPath(field, 1, &vertex, white, radiance) == AWD_SUCCESS);
+  CHECK(radiance[0] > 2.999f && radiance[0] < 3.001f && radiance[1] == 0.0f);
+  CHECK(awdAdaptField(field, &figures) == AWD_SUCCESS);
+  CHECK(figures.samples == 1 && figures.rejected == 0);
+  CHECK(awdSaveField(field, NULL, 0, &size) == AWD_SUCCESS);
+  CHECK(size > 100);
+}
+
 static void checkField(void) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   AWDDevice device = NULL;
@@ -248,6 +271,7 @@ static void checkField(void) {
   CHECK(field == NULL);
   desc.basis = NULL;
   CHECK(awdNewField(device, &desc, &field) == AWD_SUCCESS);
+  checkPath(field);
   awdReleaseDevice(device); /* the child keeps its parent alive */
   awdRetainField(field);
   awdReleaseField(field);

@@ -7,7 +7,7 @@ box=$scenes/box.obj
 small="--spp 4 --passes 3 --basis linear-bspline --seed 3"
 
 setting() { "$tool" json s.json "/settings/$1"; }
-for estimator in paper mixture ratio quasi; do
+for estimator in paper mixture ratio quasi lumped; do
   silent "$awd" render "$box" -o $estimator.exr $small --estimator $estimator --json s.json
   [ "$(setting estimator)" = "\"$estimator\"" ] || complain "$estimator: $(setting estimator)"
   [ "$(setting refit_solver)" = null ] || complain "$estimator: $(setting refit_solver)"
@@ -15,7 +15,7 @@ for estimator in paper mixture ratio quasi; do
   [ "$("$tool" metadata $estimator.exr awd.estimator)" = $estimator ] || complain "$estimator"
 done
 silent "$awd" render "$box" -o default.exr $small --json s.json
-[ "$(setting estimator)" = '"paper"' ] || complain "default: $(setting estimator)"
+[ "$(setting estimator)" = '"default"' ] || complain "default: $(setting estimator)"
 silent "$awd" render "$box" -o cosine.exr $small --guide cosine --json s.json
 [ "$(setting estimator)" = null ] || complain "cosine: $(setting estimator)"
 
@@ -24,8 +24,8 @@ l1() { # A B
   cp out compared.json
   "$tool" json compared.json /l1
 }
-[ "$(l1 default.exr paper.exr)" = 0.0 ] || complain "the default is not paper"
-for estimator in mixture ratio quasi; do
+[ "$(l1 default.exr lumped.exr)" = 0.0 ] || complain "the default is not lumped"
+for estimator in mixture ratio quasi lumped; do
   [ "$(l1 $estimator.exr paper.exr)" != 0.0 ] || complain "$estimator is no other than paper"
 done
 

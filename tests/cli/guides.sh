@@ -31,7 +31,7 @@ for guide in uniform cosine adaptive; do
   [ "$("$tool" json $guide.json /passes/2/samples)" = 4096 ] || complain "$guide: last pass"
   [ "$("$tool" json $guide.json /total/rays)" -gt 8192 ] || complain "$guide: rays"
 done
-[ "$("$tool" json adaptive.json /settings/basis)" = '"haar"' ] || complain "basis"
+[ "$("$tool" json adaptive.json /settings/basis)" = '"linear-bspline"' ] || complain "basis"
 [ "$("$tool" json cosine.json /settings/basis)" = null ] || complain "a basis without need"
 [ "$("$tool" json adaptive.json /total/coefficients)" -gt 0 ] || complain "no coefficients"
 
@@ -58,7 +58,7 @@ box two.exr --threads 2
 [ "$(l1 one.exr two.exr)" = 0.0 ] || complain "the number of threads changes the image"
 box seed.exr --seed 1
 [ "$(l1 one.exr seed.exr)" != 0.0 ] || complain "the seed changes nothing"
-box rays.exr --shadow-rays 1
+box rays.exr --shadow-rays 4
 [ "$(l1 one.exr rays.exr)" != 0.0 ] || complain "the number of shadow rays changes nothing"
 
 # Schedules: one number for all passes, a total, the paper's own; levels.

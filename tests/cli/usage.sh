@@ -55,7 +55,7 @@ fails 2 "--pdf 5" $render --spp 1 --pdf 5
 fails 2 "none with --guide cosine" $render --spp 1 --guide cosine --pdf 0:p.png
 fails 2 "none with --guide uniform" $render --spp 1 --guide uniform --pdf 0:p.png
 fails 2 "the image has 8 x 8 pixels" $render --spp 1 --pdf 8,0:p.png
-fails 2 "the scene has no such patch" $render --spp 1 --pdf 1000000:p.png
+fails 2 "the scene has no such patch" $render --spp 1 --preset paper --pdf 1000000:p.png
 
 fails 1 '"spiral"' $render --spp 1 --basis spiral
 for value in 1e5 x nan; do fails 2 "--exposure" "$awd" png a.exr b.png --exposure "$value"; done

@@ -138,7 +138,7 @@ TEST_P(EstimatorExtremes, RecordsThatNobodyDrew) {
 TEST(FieldEstimators, SettingsOutOfRange) {
   const Device device = newDevice(1u);
   AWDField field;
-  for (const AWDEstimator bad : {-1, 6, 1000}) {
+  for (const AWDEstimator bad : {-1, 7, 1000}) {
     AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
     desc.estimator = bad;
     expectFailure(awdNewField(device, &desc, &field), AWD_ERROR_INVALID_ARGUMENT,

@@ -93,6 +93,7 @@ inline Coefficients coefficientsOf(AWDField field, uint32_t patch) {
   return result;
 }
 
+/// With the paper's basis and estimator, if not told otherwise.
 inline AWDFieldDesc fieldDesc(AWDHemisphereMap map, uint32_t startLevel, uint32_t maxLevel,
                               double tau = 0.0) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
@@ -100,6 +101,8 @@ inline AWDFieldDesc fieldDesc(AWDHemisphereMap map, uint32_t startLevel, uint32_
   desc.startLevel = AWD_LEVEL(startLevel);
   desc.maxLevel = AWD_LEVEL(maxLevel);
   desc.tau = tau;
+  desc.basis = "haar";
+  desc.estimator = AWD_ESTIMATOR_PAPER;
   return desc;
 }
 

@@ -22,7 +22,7 @@ constexpr AWDResult kInvalid = AWD_ERROR_INVALID_ARGUMENT;
 using Settings = Arguments;
 
 TEST_F(Settings, UnknownEnumerators) {
-  for (const int32_t bad : {-1, 3, 77}) {
+  for (const int32_t bad : {-1, 5, 77}) {
     AWDRenderDesc desc = desc_;
     desc.guide = bad;
     expectNoRender(desc, {"guide", std::to_string(bad)});
@@ -32,6 +32,9 @@ TEST_F(Settings, UnknownEnumerators) {
     desc = desc_;
     desc.roulette = bad;
     expectNoRender(desc, {"roulette", std::to_string(bad)});
+    desc = desc_;
+    desc.combination = bad;
+    expectNoRender(desc, {"combination", std::to_string(bad)});
     desc = desc_;
     desc.preset = bad;
     expectNoRender(desc, {"preset", std::to_string(bad)});
@@ -43,10 +46,17 @@ TEST_F(Settings, UnknownEnumerators) {
     fieldDesc = AWD_FIELD_DESC_INIT;
     fieldDesc.map = bad;
     expectFailure(awdNewField(device_, &fieldDesc, &field), kInvalid, {"map", std::to_string(bad)});
+    fieldDesc = AWD_FIELD_DESC_INIT;
+    fieldDesc.patches = bad;
+    expectFailure(awdNewField(device_, &fieldDesc, &field), kInvalid,
+                  {"patches", std::to_string(bad)});
     expectFailure(awdReadFilm(render_, bad, floats_, 0, 0), kInvalid,
                   {"layer", std::to_string(bad)});
   }
   expectFailure(awdReadFilm(render_, 0, floats_, 0, 0), kInvalid, {"layer"});
+  AWDRenderDesc desc = desc_;  // known, but not of a render
+  desc.combination = AWD_COMBINE_CROSS_VARIANCE;
+  expectNoRender(desc, {"combination"});
 }
 
 TEST_F(Settings, StructsOfAnotherVersion) {

@@ -43,9 +43,10 @@ class Moved : public testing::Test {
     ASSERT_EQ(newDevice(&desc, &device_), AWD_SUCCESS) << message_();
   }
 
-  AWDResult newField(const AWDFieldDesc* desc = nullptr) {
+  AWDResult newField(AWDFieldDesc desc = AWD_FIELD_DESC_INIT) {
     AWDField field = nullptr;
-    const AWDResult result = newField_(device_, desc, &field);
+    desc.basis = "haar";
+    const AWDResult result = newField_(device_, &desc, &field);
     releaseField_(field);
     return result;
   }
@@ -86,11 +87,11 @@ TEST_F(Moved, WithoutTheRefitModuleAllElseWorks) {
   open(folder_ / "libawd.so.1");
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   desc.estimator = AWD_ESTIMATOR_REFIT;
-  ASSERT_EQ(newField(&desc), AWD_ERROR_UNSUPPORTED);
+  ASSERT_EQ(newField(desc), AWD_ERROR_UNSUPPORTED);
   EXPECT_EQ(message_(), "awdNewField: the estimator refit wants the refit module; tried \"" +
                             fs::canonical(folder_).string() + "/awd/refit-1.so\" (does not exist)");
   desc.estimator = AWD_ESTIMATOR_QUASI;
-  EXPECT_EQ(newField(&desc), AWD_SUCCESS) << message_();
+  EXPECT_EQ(newField(desc), AWD_SUCCESS) << message_();
 }
 
 TEST_F(Moved, OpenedByARelativePathItStillFindsItsOwn) {

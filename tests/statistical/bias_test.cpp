@@ -27,7 +27,23 @@ struct Config {
   AWDRoulette roulette = AWD_ROULETTE_DEFAULT;
   uint32_t shadowRays = 0;
   AWDEstimator estimator = AWD_ESTIMATOR_DEFAULT;
+  const char* basis = nullptr;
+  AWDHemisphereMap map = AWD_MAP_DEFAULT;
+  AWDPatches patches = AWD_PATCHES_DEFAULT;
+  AWDCombination combination = AWD_COMBINE_DEFAULT;
 };
+
+/// Guided, with a field of its own kind.
+constexpr Config fieldOf(const char* name, const char* basis, AWDHemisphereMap map,
+                         AWDPatches patches = AWD_PATCHES_DEFAULT,
+                         AWDCombination combination = AWD_COMBINE_DEFAULT) {
+  Config config = {name, AWD_GUIDE_ADAPTIVE};
+  config.basis = basis;
+  config.map = map;
+  config.patches = patches;
+  config.combination = combination;
+  return config;
+}
 
 const Config kConfigs[] = {
     {"adaptive", AWD_GUIDE_ADAPTIVE},
@@ -47,6 +63,12 @@ const Config kConfigs[] = {
      AWD_ROULETTE_ALBEDO},
     {"ratio", AWD_GUIDE_ADAPTIVE, AWD_PRESET_PAPER, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
      AWD_ESTIMATOR_RATIO},
+    fieldOf("spherical", "linear-bspline", AWD_MAP_SPHERICAL),
+    fieldOf("cylindrical", "quadratic-bspline", AWD_MAP_CYLINDRICAL),
+    fieldOf("cosineMap", "haar", AWD_MAP_COSINE),
+    fieldOf("hostPatches", "m2", AWD_MAP_CONCENTRIC_COSINE, AWD_PATCHES_HOST),
+    fieldOf("byCount", "linear-bspline", AWD_MAP_CONCENTRIC_COSINE, AWD_PATCHES_SPATIAL,
+            AWD_COMBINE_COUNT),
     {"quasi", AWD_GUIDE_ADAPTIVE, AWD_PRESET_DEFAULT, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
      AWD_ESTIMATOR_QUASI},
 #ifdef AWD_TEST_REFIT
@@ -81,12 +103,16 @@ TEST(Bias, NoConfigurationDiffersFromTheReferenceSlow) {
     desc.direct = config.direct;
     desc.roulette = config.roulette;
     desc.shadowRays = config.shadowRays;
+    desc.combination = config.combination;
     Field field;
-    if (config.estimator != AWD_ESTIMATOR_DEFAULT) {
+    if (config.estimator != AWD_ESTIMATOR_DEFAULT || config.basis) {
       AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
       fieldDesc.preset = config.preset;
-      fieldDesc.basis = "linear-bspline";
+      fieldDesc.basis = config.basis ? config.basis : "linear-bspline";
       fieldDesc.estimator = config.estimator;
+      fieldDesc.map = config.map;
+      fieldDesc.patches = config.patches;
+      for (float& x : fieldDesc.upper) x = 4.0f;
       field = newField(device, &fieldDesc);
     }
     const Render render = newRender(scene, desc, field);

@@ -137,7 +137,13 @@ TEST(Determinism, PassesOneByOne) {
   const AWDRenderDesc desc = renderDesc(view, AWD_GUIDE_ADAPTIVE, 5);
   const Film atOnce = renderFilm(scene, desc, {4, 6, 10});
 
-  const Field field = newField(device);
+  // The scene's box makes the field as the render makes its own.
+  AWDSceneInfo info = AWD_SCENE_INFO_INIT;
+  must(awdGetSceneInfo(scene, &info));
+  AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
+  std::copy(info.lower, info.lower + 3, fieldDesc.lower);
+  std::copy(info.upper, info.upper + 3, fieldDesc.upper);
+  const Field field = newField(device, &fieldDesc);
   const Render render = newRender(scene, desc, field);
   for (const uint32_t samples : {4u, 6u, 10u}) {
     must(awdRenderPass(render, samples, nullptr));

@@ -26,6 +26,7 @@ Estimate measure(AWDScene scene, AWDGuide guide, AWDDirectLight direct,
   AWDRenderDesc desc = renderDesc(view, guide, 7);
   desc.direct = direct;
   desc.shadowRays = 1;
+  desc.maxLights = 8;  // each wall is a light
   const Render render = newRender(scene, desc, field);
   runPasses(render, passes);
   const Film film = readFilm(render);

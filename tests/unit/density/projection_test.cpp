@@ -61,8 +61,8 @@ TEST(Projection, IsUnbiased) {
     const uint32_t n = level.count;
     std::pmr::vector<double> truth(std::size_t{n} * n);
     for (std::size_t i = 0; i < truth.size(); ++i) truth[i] = 1.0 + double(i * 7 % 5);
-    const SquareDensity f(level, truth);
-    const SquareDensity start(memory(), level);
+    const SquareDensity f(level, AWD_SAMPLER_COMPONENT, truth);
+    const SquareDensity start(memory(), level, AWD_SAMPLER_COMPONENT);
     std::vector<double> sums(truth.size(), 0.0), squares(truth.size(), 0.0);
     Uniforms random(14);
     constexpr int kRepetitions = 64;

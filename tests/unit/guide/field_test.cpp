@@ -39,7 +39,10 @@ TEST(FieldSettings, PresetsFillWhatIsOpen) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   const FieldSettings standard = settle(desc, haarTable());
   EXPECT_EQ(standard.map, AWD_MAP_CONCENTRIC_COSINE);
-  EXPECT_EQ(standard.learning.tau, 0.3);
+  EXPECT_LT(standard.learning.tau, 0.0);
+  EXPECT_EQ(standard.alpha, 0.1);
+  EXPECT_EQ(standard.patches, AWD_PATCHES_HOST) << "without a box";
+  EXPECT_EQ(standard.learning.estimator, AWD_ESTIMATOR_LUMPED);
   EXPECT_EQ(standard.maxLevel, 3u);
   desc.preset = AWD_PRESET_PAPER;
   const FieldSettings paper = settle(desc, haarTable());
@@ -83,7 +86,9 @@ TEST(Field, PaperRefinesEachPassUpToItsLevel) {
 }
 
 TEST(Field, DefaultRefinesWhenSamplesSuffice) {
-  const Ref<Field> field = makeField(AWD_FIELD_DESC_INIT);
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.startLevel = AWD_LEVEL(2);
+  const Ref<Field> field = makeField(desc);
   run(*field, 1, 40, 31, bump);
   run(*field, 2, 40000, 32, bump);
   field->adapt();
@@ -159,8 +164,10 @@ TEST(Field, PdfAgreesWithSample) {
 }
 
 TEST(Field, RefusesAComponentThatIsNone) {
-  const Ref<Field> field = makeField(AWD_FIELD_DESC_INIT);
-  const AWDDirectionSample sample = {{0, 0, 1}, 1.0f, {0.5f, 0.5f}, 16, 1.0f};
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.estimator = AWD_ESTIMATOR_PAPER;
+  const Ref<Field> field = makeField(desc);
+  const AWDDirectionSample sample = {{0, 0, 1}, 1.0f, {0.5f, 0.5f}, 64, 1.0f};
   EXPECT_THROW(field->record(1, sample, 1.0), Error);
 }
 
@@ -170,6 +177,8 @@ TEST(Field, PerfectDensityHasNoVariance) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   desc.startLevel = desc.maxLevel = AWD_LEVEL(2);
   desc.tau = 1e-6;
+  desc.alpha = -1.0;
+  desc.estimator = AWD_ESTIMATOR_PAPER;
   const Ref<Field> field = makeField(desc);
   const auto steps = [](float u, float v) { return 1.0 + int(u * 4) + 4 * int(v * 4); };
   run(*field, 1, 5000, 44, steps);

@@ -16,6 +16,12 @@ namespace {
 TEST(PathSettings, PresetsFillWhatIsOpen) {
   AWDRenderDesc desc = AWD_RENDER_DESC_INIT;
   EXPECT_EQ(settle(desc).direct, AWD_DIRECT_WEIGHTED);
+  EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ADJOINT);
+  EXPECT_EQ(settle(desc).shadowRays, 1u);
+  desc.roulette = AWD_ROULETTE_ADJOINT;
+  desc.guide = AWD_GUIDE_COSINE;
+  EXPECT_THROW(settle(desc), Error) << "nothing is learned";
+  desc.roulette = AWD_ROULETTE_DEFAULT;
   EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ALBEDO);
   desc.guide = AWD_GUIDE_UNIFORM;
   EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_THROUGHPUT);

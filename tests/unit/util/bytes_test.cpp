@@ -60,6 +60,31 @@ TEST(Bytes, NumbersComeBack) {
   from.finish();
 }
 
+TEST(Bytes, PackedNumbersComeBack) {
+  constexpr uint64_t kMost = std::numeric_limits<uint64_t>::max();
+  ByteWriter to = writer();
+  for (const uint64_t x : {uint64_t{0}, uint64_t{127}, uint64_t{128}, uint64_t{300}, kMost / 2}) {
+    to.putPacked(x);
+  }
+  to.putPacked(kMost);
+  const Bytes bytes = to.finish();
+  EXPECT_EQ(bytes.size(), 28u + 1 + 1 + 2 + 2 + 9 + 10);
+  ByteReader from = reader(bytes);
+  for (const uint64_t x : {uint64_t{0}, uint64_t{127}, uint64_t{128}, uint64_t{300}, kMost / 2}) {
+    EXPECT_EQ(from.getPacked(), x);
+  }
+  EXPECT_EQ(from.getPacked(), kMost);
+  from.finish();
+
+  for (const int last : {2, 0x80, 0}) {  // a 65th bit; more bytes than that; one that says nothing
+    ByteWriter wrong = writer();
+    for (int i = 0; i < 9; ++i) wrong.put(char{-1});
+    wrong.put(static_cast<char>(last));
+    wrong.put(char{1});
+    expectDamaged(wrong.finish(), [](ByteReader& of) { of.getPacked(); });
+  }
+}
+
 TEST(Bytes, EveryFlippedBitIsFound) {
   ByteWriter to = writer();
   for (int i = 0; i < 20; ++i) to.put(i);

@@ -4,6 +4,7 @@ awd_unit_test(util
   bytes_test.cpp
   context_test.cpp
   error_test.cpp
+  file_bytes_test.cpp
   memory_test.cpp
   parallel_test.cpp
   random_test.cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/file_bytes.h"
+#include "util/file_bytes.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
