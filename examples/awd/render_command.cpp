@@ -73,6 +73,7 @@ AWDResult renderPasses(const Render& render, const Schedule& schedule) {
     desc.passCount = static_cast<uint32_t>(schedule.samplesPerPass.size());
   }
   desc.totalSamples = schedule.totalSamples;
+  desc.seconds = schedule.seconds;
   return awdRenderPasses(render.get(), &desc);
 }
 

@@ -50,6 +50,10 @@ void RenderOptions::describe(CLI::App& command) {
                      "all. Without it and --samples: the preset's schedule");
   command.add_option("--samples", samples, "Samples per pixel in all, divided by the library")
       ->check(CLI::Range(1u, std::numeric_limits<uint32_t>::max()));
+  command
+      .add_option("--seconds", seconds,
+                  "As many samples as there is time for, divided by the library")
+      ->check(CLI::PositiveNumber);
   command.add_option("--seed", seed, "Another seed, another noise")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
@@ -72,6 +76,11 @@ void RenderOptions::describe(CLI::App& command) {
 
 void RenderOptions::finish() {
   schedule = makeSchedule(passes, spp, samples);
+  if (seconds && (spp || passes)) {
+    throw UsageError("--seconds divides the time into passes by itself: it can't be used with " +
+                     std::string(spp ? "--spp" : "--passes"));
+  }
+  schedule.seconds = seconds.value_or(0.0);
   for (const std::string& text : pdfTexts) pdfs.emplace_back(text);
   if (!pdfs.empty() && !isAdaptive()) {
     throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);

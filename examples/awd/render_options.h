@@ -17,6 +17,7 @@ struct RenderOptions {
   std::string scene, output;
   std::optional<std::string> camera, json, basis, spp, refitSolver;
   std::optional<uint32_t> width, height, level, passes, samples;
+  std::optional<double> seconds;
   std::string guide = "adaptive", preset = "default", estimator = "default";
   uint64_t seed = 0;
   uint32_t shadowRays = 0;  // 0: the preset's

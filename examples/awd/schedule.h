@@ -13,6 +13,7 @@ namespace command {
 struct Schedule {
   std::vector<uint32_t> samplesPerPass;
   uint32_t totalSamples = 0;
+  double seconds = 0.0;  ///< 0: no limit
 };
 
 /// spp: "N1,...,NK"; a single number holds for all passes. Throws a UsageError if the options

@@ -144,20 +144,25 @@ AWD_EXPORT AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPe
                                             AWDPassStatistics* statistics) AWD_NOEXCEPT;
 
 /* Several passes. samplesPerPass NULL: totalSamples divided by the library. Both 0: the preset's
-   schedule (paper: 10, 10, 10, 70). */
+   schedule (paper: 10, 10, 10, 70), or with seconds as many as there is time for. */
 typedef struct AWDSchedule {
   size_t structSize;
   const uint32_t* samplesPerPass; /* passCount numbers >= 1 */
   uint32_t passCount;
   uint32_t totalSamples; /* per pixel */
+  /* Wall time, 0: no limit. Sizes of passes are the library's then, 1, 1, 1, 2, 2, 2, 4, ..; none is
+     begun that would by the pace of the last go beyond, but for the first, and the last is as large
+     as still fits. Not with samplesPerPass. How many samples there are, and with them the image,
+     depends on the machine; of so many the bits are what they always are. */
+  double seconds;
 } AWDSchedule;
 
 #ifdef __cplusplus
 #define AWD_SCHEDULE_INIT                                                                          \
-  AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u }
+  AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u, 0.0 }
 #else
 #define AWD_SCHEDULE_INIT                                                                          \
-  { sizeof(AWDSchedule), NULL, 0u, 0u }
+  { sizeof(AWDSchedule), NULL, 0u, 0u, 0.0 }
 #endif
 
 /* Runs the passes of a schedule (NULL: the preset's) and adapts between them, not after the last.

@@ -41,7 +41,8 @@ void SquareValues::recordAlive(const double x[2], double value) noexcept {
   evaluatePoint<2, order>(levels_, x, at);
   const std::size_t strides[2] = {levels_[0]->count, 1};
   forEachAlive<2>(strides, at, [&](std::size_t j, double n) {
-    accumulate(sums_[j], static_cast<int64_t>(value * n + 0.5));
+    const double above = value * n + 0.5;  // to the nearest: std::llrint is a call
+    accumulate(sums_[j], static_cast<int64_t>(above));
   });
 }
 

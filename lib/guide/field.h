@@ -52,7 +52,7 @@ class Field final : public RefCounted {
   }
 
   /// Brings nearer what sampling and recording in a patch will read.
-  void prefetch(const PatchView& view) const {
+  static void prefetch(const PatchView& view) {
     view.density->prefetch();
     if (view.patch) __builtin_prefetch(view.patch->statistics.get());
   }
@@ -129,7 +129,7 @@ class Field final : public RefCounted {
   std::pmr::vector<Successor> learnAll();
   /// Splits leaves of many samples in `tree`; patches for those halves that have had any.
   std::pmr::vector<Newcomer> splitAll(SpatialTree& tree, std::pmr::vector<Successor>& successors);
-  void take(Successor& successor);
+  void take(Successor& next);
   uint32_t keyOf(uint32_t patch) const {
     return isSpatial() ? patch / SpatialTree::kEighths : patch;
   }

@@ -31,7 +31,7 @@ class PatchLearning {
   Coefficients estimate(const PatchStatistics& statistics, const BasisLevel& level,
                         const Refitter& refitter, RefitReport& report) const;
   Coefficients lumped(const SquareValues& values, const BasisLevel& level, double samples) const;
-  void pool(const PatchKnowledge& known, double samples, Coefficients& coefficients) const;
+  static void pool(const PatchKnowledge& known, double samples, Coefficients& coefficients);
   /// Share of the constant in a density made of so many samples.
   double alphaFor(double samples) const;
   bool finerIsDue(uint32_t level, double samples) const;

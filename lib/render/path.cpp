@@ -112,7 +112,7 @@ Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random, float
         vertex.patch = field_->findPatch(geometry_.fromFrame(surface.point), surface.normal);
       }
       patch = field_->view(vertex.patch);
-      field_->prefetch(patch);
+      Field::prefetch(patch);
     }
     vertex.direct = directLight(surface, random);
 

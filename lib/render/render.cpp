@@ -173,7 +173,38 @@ void Render::adapt() {
   figures.wallSeconds += watch.wallSeconds();
 }
 
+void Render::passesFor(double seconds, uint32_t mostSamples) {
+  const Stopwatch watch;
+  double pace = 0.0;  // seconds a sample per pixel took in the last pass, with its adapt
+  uint32_t left = mostSamples;
+  for (uint32_t k = 0; left > 0; ++k) {
+    const double begun = watch.wallSeconds();
+    uint32_t samples = std::min(passSize(k), left);
+    if (k > 0) {
+      const double fits = (seconds - begun) / pace;
+      if (!(fits >= 1.0)) break;
+      // A remainder too small for a pass of its own goes along with this one.
+      if (fits < 2.0 * samples) samples = static_cast<uint32_t>(std::min<double>(fits, left));
+    }
+    if (field_ && !statistics_.empty()) adapt();
+    pass(samples);
+    left -= samples;
+    pace = (watch.wallSeconds() - begun) / samples;
+  }
+}
+
 void Render::passes(const AWDSchedule& schedule) {
+  if (!(schedule.seconds >= 0.0 && std::isfinite(schedule.seconds))) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "schedule->seconds is %g: it must be finite and not negative",
+         schedule.seconds);
+  }
+  if (schedule.seconds > 0.0) {
+    if (schedule.samplesPerPass || schedule.passCount > 0) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "schedule has seconds and samplesPerPass: under a limit of time the library divides");
+    }
+    return passesFor(schedule.seconds, schedule.totalSamples ? schedule.totalSamples : UINT32_MAX);
+  }
   const auto plan = planPasses(context_->memory(), schedule, preset_, static_cast<bool>(field_));
   for (const uint32_t samples : plan) {
     if (field_ && !statistics_.empty()) adapt();

@@ -36,6 +36,7 @@ class Render final : public RefCounted {
  private:
   void destroy() noexcept override;
   struct Counters;
+  void passesFor(double seconds, uint32_t mostSamples);
   void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, Counters& counters);
   void adapt();
 

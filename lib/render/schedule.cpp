@@ -23,7 +23,8 @@ void dividePaper(uint32_t total, std::pmr::vector<uint32_t>& passes) {
 /// has the best densities, takes a sixth of all or more.
 void divideDoubling(uint32_t total, std::pmr::vector<uint32_t>& passes) {
   uint32_t left = total;
-  for (uint32_t size = 1, k = 1; left > 0; size *= k % 3 == 0 ? 2 : 1, ++k) {
+  for (uint32_t k = 0; left > 0; ++k) {
+    const uint32_t size = passSize(k);
     // A remainder too small to be a pass of its own goes along with this one.
     const uint32_t samples = left < 2 * size ? left : size;
     passes.push_back(samples);
@@ -32,6 +33,8 @@ void divideDoubling(uint32_t total, std::pmr::vector<uint32_t>& passes) {
 }
 
 }  // namespace
+
+uint32_t passSize(uint32_t k) { return uint32_t{1} << std::min(k / 3, 30u); }
 
 std::pmr::vector<uint32_t> planPasses(std::pmr::memory_resource* memory,
                                       const AWDSchedule& schedule, AWDPreset preset, bool learns) {

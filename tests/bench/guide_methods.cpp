@@ -15,16 +15,17 @@ const std::vector<Method>& methods() {
        [](Settings& with) { with.field.preset = with.render.preset = AWD_PRESET_PAPER; }},
       {"adaptive", "guided, all defaults", [](Settings&) {}},
 
-      {"cosine-one-shadow-ray", "cosine, one shadow ray a light and vertex",
+      {"cosine-four-shadow-rays", "cosine, four shadow rays a vertex",
        [](Settings& with) {
          with.render.guide = AWD_GUIDE_COSINE;
-         with.render.shadowRays = 1;
+         with.render.shadowRays = 4;
        }},
-      {"one-shadow-ray", "adaptive, one shadow ray a light and vertex",
-       [](Settings& with) { with.render.shadowRays = 1; }},
+      {"four-shadow-rays", "adaptive, four shadow rays a vertex",
+       [](Settings& with) { with.render.shadowRays = 4; }},
+      {"all-lights", "adaptive, a shadow ray to each of up to 8 lights",
+       [](Settings& with) { with.render.maxLights = 8; }},
 
-      {"linear-bspline", "adaptive with this basis",
-       [](Settings& with) { with.field.basis = "linear-bspline"; }},
+      {"haar", "adaptive with this basis", [](Settings& with) { with.field.basis = "haar"; }},
       {"quadratic-bspline", "adaptive with this basis",
        [](Settings& with) { with.field.basis = "quadratic-bspline"; }},
       {"f2", "adaptive with this basis", [](Settings& with) { with.field.basis = "f2"; }},
@@ -39,27 +40,36 @@ const std::vector<Method>& methods() {
        [](Settings& with) { with.field.estimator = AWD_ESTIMATOR_QUASI; }},
       {"refit", "adaptive with this estimator, if there is a refit module",
        [](Settings& with) { with.field.estimator = AWD_ESTIMATOR_REFIT; }},
-      {"linear-bspline-quasi", "adaptive with this basis and estimator",
-       [](Settings& with) {
-         with.field.basis = "linear-bspline";
-         with.field.estimator = AWD_ESTIMATOR_QUASI;
-       }},
 
       {"spherical", "adaptive with this map of the hemisphere",
        [](Settings& with) { with.field.map = AWD_MAP_SPHERICAL; }},
-      {"concentric-cosine", "adaptive with this map of the hemisphere",
-       [](Settings& with) { with.field.map = AWD_MAP_CONCENTRIC_COSINE; }},
-      {"level-2", "adaptive, no density finer than 4 x 4 cells",
+      {"cylindrical", "adaptive with this map of the hemisphere",
+       [](Settings& with) { with.field.map = AWD_MAP_CYLINDRICAL; }},
+      {"cosine-map", "adaptive with this map of the hemisphere",
+       [](Settings& with) { with.field.map = AWD_MAP_COSINE; }},
+      {"level-2", "adaptive, densities of 4 x 4 cells",
        [](Settings& with) { with.field.maxLevel = AWD_LEVEL(2); }},
-      {"level-4", "adaptive, no density finer than 16 x 16 cells",
-       [](Settings& with) { with.field.maxLevel = AWD_LEVEL(4); }},
-      {"tau-0.05", "adaptive, coefficients clamped at 0.05 of the mean density",
-       [](Settings& with) { with.field.tau = 0.05; }},
+      {"level-4", "adaptive, densities of 16 x 16 cells",
+       [](Settings& with) { with.field.startLevel = AWD_LEVEL(4); }},
+      {"alpha-0.03", "adaptive, this share of cosine sampling in every density",
+       [](Settings& with) { with.field.alpha = 0.03; }},
+      {"alpha-0.3", "adaptive, this share of cosine sampling in every density",
+       [](Settings& with) { with.field.alpha = 0.3; }},
+      {"planar-patches", "adaptive, a patch for each planar piece of the scene",
+       [](Settings& with) { with.field.patches = AWD_PATCHES_HOST; }},
+      {"patches-of-500", "adaptive, patches split at so many samples",
+       [](Settings& with) { with.field.patchSamples = 500; }},
+      {"patches-of-8000", "adaptive, patches split at so many samples",
+       [](Settings& with) { with.field.patchSamples = 8000; }},
 
       {"direct-area", "adaptive, light found by shadow rays alone",
        [](Settings& with) { with.render.direct = AWD_DIRECT_AREA; }},
+      {"roulette-albedo", "adaptive, paths live by albedo",
+       [](Settings& with) { with.render.roulette = AWD_ROULETTE_ALBEDO; }},
       {"roulette-throughput", "adaptive, paths live by throughput times albedo",
        [](Settings& with) { with.render.roulette = AWD_ROULETTE_THROUGHPUT; }},
+      {"by-count", "adaptive, every sample counts the same in the image",
+       [](Settings& with) { with.render.combination = AWD_COMBINE_COUNT; }},
   };
   return all;
 }

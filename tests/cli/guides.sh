@@ -69,6 +69,11 @@ silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --passes 3 --spp 2 --j
 silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --samples 16 --json s.json
 total=$(passes | tr -d '[]' | tr , '\n' | awk '{ s += $1 } END { print s }')
 [ "$total" = 16 ] || complain "--samples 16 gave $(passes)"
+# Time for a pass at most, however slow the machine, or for all that is asked.
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --seconds 1e-9 --json s.json
+[ "$(passes)" = "[1]" ] || complain "no time gave $(passes)"
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --seconds 1e6 --samples 11 --json s.json
+[ "$(passes)" = "[1,1,1,2,2,2,2]" ] || complain "--samples 11 and all time gave $(passes)"
 silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --preset paper --json s.json
 [ "$(passes)" = "[10,10,10,70]" ] || complain "the paper's schedule: $(passes)"
 [ "$("$tool" json s.json /settings/preset)" = '"paper"' ] || complain "preset"

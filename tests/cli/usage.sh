@@ -49,6 +49,8 @@ fails 2 "--spp 1,2,3 has 3 numbers for --passes 2" $render --spp 1,2,3 --passes 
 fails 2 "it can't be used with --spp" $render --spp 4 --samples 4
 fails 2 "it can't be used with --passes" $render --passes 4 --samples 4
 fails 2 "--passes needs --spp" $render --passes 4
+fails 2 "it can't be used with --spp" $render --spp 4 --seconds 1
+fails 2 "--seconds" $render --seconds 0
 
 fails 2 "--pdf x" $render --spp 1 --pdf x
 fails 2 "--pdf 5" $render --spp 1 --pdf 5

@@ -173,6 +173,15 @@ TEST_F(Settings, SchedulesWithoutSamples) {
   schedule = AWD_SCHEDULE_INIT;
   schedule.passCount = 3;
   expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"samplesPerPass"});
+  for (const double bad : {-1.0, HUGE_VAL, std::nan("")}) {
+    schedule = AWD_SCHEDULE_INIT;
+    schedule.seconds = bad;
+    expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"seconds"});
+  }
+  schedule.seconds = 1.0;
+  schedule.samplesPerPass = passes;
+  schedule.passCount = 1;
+  expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"seconds", "samplesPerPass"});
   uint32_t count = 77;
   must(awdGetPassCount(render_, &count));
   EXPECT_EQ(count, 0u) << "a refused schedule runs nothing";
