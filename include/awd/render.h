@@ -150,10 +150,10 @@ typedef struct AWDSchedule {
   const uint32_t* samplesPerPass; /* passCount numbers >= 1 */
   uint32_t passCount;
   uint32_t totalSamples; /* per pixel */
-  /* Wall time, 0: no limit. Sizes of passes are the library's then, 1, 1, 1, 2, 2, 2, 4, ..; none is
-     begun that would by the pace of the last go beyond, but for the first, and the last is as large
-     as still fits. Not with samplesPerPass. How many samples there are, and with them the image,
-     depends on the machine; of so many the bits are what they always are. */
+  /* Wall time, 0: no limit. Sizes of passes are the library's then, 1, 1, 1, 2, 2, 2, 4, ..; none
+     is begun that would by the pace of the last go beyond, but for the first, and the last is as
+     large as still fits. Not with samplesPerPass. How many samples there are, and with them the
+     image, depends on the machine; of so many the bits are what they always are. */
   double seconds;
 } AWDSchedule;
 

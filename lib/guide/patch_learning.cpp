@@ -88,8 +88,7 @@ double PatchLearning::alphaFor(double samples) const {
   return settings_.alpha + (1.0 - settings_.alpha) * kPriorSamples / (samples + kPriorSamples);
 }
 
-void PatchLearning::pool(const PatchKnowledge& known, double samples,
-                         Coefficients& coefficients) {
+void PatchLearning::pool(const PatchKnowledge& known, double samples, Coefficients& coefficients) {
   // The former estimate: the density without the constant in it, times the integral.
   const double share = known.weight / (known.weight + samples);
   const double scale = known.density ? share * known.mean / (1.0 - known.alpha) : 0.0;

@@ -8,10 +8,10 @@ namespace awd {
 
 /// 1 / v, v the mean over the pixels of the relative variance of one sample,
 ///   var(x) / (mean^2 + 0.01 (mean of the image)^2),
-/// in luminance, of both without the hundredth part of the pixels where they are largest: one number for the
-/// whole image, in which the noise of a pixel's own samples weighs nothing, so that the combined
-/// image stays unbiased but for terms of the order of 1 / pixels. Of a pass of one sample per pixel
-/// neighbours serve in the place of further samples. 1 if nothing can be said.
+/// in luminance, of both without the hundredth part of the pixels where they are largest: one
+/// number for the whole image, in which the noise of a pixel's own samples weighs nothing, so that
+/// the combined image stays unbiased but for terms of the order of 1 / pixels. Of a pass of one
+/// sample per pixel neighbours serve in the place of further samples. 1 if nothing can be said.
 double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint64_t samples);
 
 /// The luminance of the film, averaged over 5 x 5 pixels; empty while there are no samples.
