@@ -68,7 +68,7 @@ typedef struct AWDFieldDesc {
      learned density; it grows where samples are few. 0: 0.1 for the estimator lumped, else none;
      negative: none; at most 1. */
   double alpha;
-  uint64_t maxBytes; /* patches are no longer split when the field holds so much; 0: no limit */
+  uint64_t maxBytes; /* beyond it no patch is split; their table, 8 bytes each, apart; 0: none */
 } AWDFieldDesc;
 
 #ifdef __cplusplus

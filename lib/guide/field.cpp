@@ -211,11 +211,13 @@ std::pmr::vector<Field::Successor> Field::learnAll() {
 }
 
 std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
-                                                  std::pmr::vector<Successor>& successors) {
+                                                  std::pmr::vector<Successor>& successors,
+                                                  uint64_t& capped) const {
   std::pmr::memory_resource* memory = context_->memory();
   std::pmr::vector<Newcomer> newcomers(memory);
   std::pmr::vector<Part> parts(memory);
-  uint64_t bytes = statistics().bytes;
+  // Without the table, whose nodes also tell of passes that were given up.
+  uint64_t bytes = statistics().bytes - table_.bytes();
   for (Successor& next : successors) {
     const uint64_t each = sizeof(Patch) + next.statistics->bytes() + density(next.known).bytes();
     uint64_t all = 0;
@@ -238,9 +240,9 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       const uint64_t counts[] = {first, part.samples - first};
       if (counts[0] > 0 && counts[1] > 0) {
         if (bytes + each > settings_.maxBytes) {
-          ++lastPass_.capped;
-          part.eighths = 1;
-          parts.push_back(part);
+          ++capped;
+          part.known->weight = part.weight;
+          if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
           continue;
         }
         bytes += each;
@@ -294,10 +296,10 @@ void Field::take(Successor& next) {
 AWDFieldStatistics Field::adapt() {
   // All is made first and put in place after, so that a failure on the way changes nothing.
   std::pmr::vector<Successor> successors = learnAll();
-  lastPass_ = {};
+  uint64_t capped = 0;
   if (tree_) {
-    SpatialTree tree = *tree_;
-    std::pmr::vector<Newcomer> newcomers = splitAll(tree, successors);
+    SpatialTree tree(context_->memory(), *tree_);
+    std::pmr::vector<Newcomer> newcomers = splitAll(tree, successors, capped);
     tree.finish();
     for (const Newcomer& newcomer : newcomers) table_.reserve(newcomer.key);
     views_.reserve(tree.leaves());
@@ -307,6 +309,8 @@ AWDFieldStatistics Field::adapt() {
       table_.touch(newcomer.key, [&] { return newcomer.patch.release(); });
     }
   }
+  lastPass_ = {};
+  lastPass_.capped = capped;
   for (Successor& next : successors) take(next);
   for (uint32_t leaf = 0; leaf < views_.size(); ++leaf) views_[leaf] = viewOf(leaf);
   return statistics();
@@ -347,6 +351,8 @@ void Field::mark() {
 
 void Field::revert() {
   table_.forEach([](uint32_t, Patch& patch) { patch.statistics->clear(); });
+  // One that was made since would begin its next pass with what its leaf's origin knew now.
+  table_.removeIf([](const Patch& patch) { return !patch.hasBeenSeen(); });
 }
 
 AWDPatchInfo Field::patchInfo(uint32_t patch) const {

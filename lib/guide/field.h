@@ -128,7 +128,9 @@ class Field final : public RefCounted {
   Successor succeed(uint32_t key, Patch& patch, const Refitter& refitter) const;
   std::pmr::vector<Successor> learnAll();
   /// Splits leaves of many samples in `tree`; patches for those halves that have had any.
-  std::pmr::vector<Newcomer> splitAll(SpatialTree& tree, std::pmr::vector<Successor>& successors);
+  /// capped: how many more would have been, but for the memory allowed.
+  std::pmr::vector<Newcomer> splitAll(SpatialTree& tree, std::pmr::vector<Successor>& successors,
+                                      uint64_t& capped) const;
   void take(Successor& next);
   uint32_t keyOf(uint32_t patch) const {
     return isSpatial() ? patch / SpatialTree::kEighths : patch;

@@ -54,6 +54,12 @@ class PatchTable {
     walk(root_, 0, 0, visit);
   }
 
+  /// Destroys the patches of which gone(patch) holds. Exclusive.
+  template <class Gone>
+  void removeIf(Gone&& gone) {
+    prune(root_, 0, gone);
+  }
+
   /// Memory of the tree itself, without the patches.
   std::size_t bytes() const { return nodes_.load(std::memory_order_relaxed) * sizeof(Node); }
 
@@ -87,6 +93,20 @@ class PatchTable {
         visit(number, *static_cast<T*>(below));
       } else {
         walk(*static_cast<const Node*>(below), depth + 1, number, visit);
+      }
+    }
+  }
+
+  template <class Gone>
+  void prune(Node& node, int depth, Gone& gone) {
+    for (std::atomic<void*>& slot : node.slots) {
+      void* below = slot.load(std::memory_order_relaxed);
+      if (!below) continue;
+      if (depth < 3) {
+        prune(*static_cast<Node*>(below), depth + 1, gone);
+      } else if (gone(*static_cast<T*>(below))) {
+        slot.store(nullptr, std::memory_order_relaxed);
+        unmake(memory_, static_cast<T*>(below));
       }
     }
   }

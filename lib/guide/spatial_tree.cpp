@@ -43,6 +43,13 @@ SpatialTree::SpatialTree(std::pmr::memory_resource* memory, Vec3f lower, Vec3f u
   finish();
 }
 
+SpatialTree::SpatialTree(std::pmr::memory_resource* memory, const SpatialTree& other)
+    : lower_(other.lower_),
+      scale_(other.scale_),
+      nodes_(other.nodes_, memory),
+      leaves_(other.leaves_, memory),
+      table_(other.table_, memory) {}
+
 uint64_t SpatialTree::code(Vec3f point) const {
   const Vec3f p = (point - lower_) * scale_;
   const auto cell = [](float x) {

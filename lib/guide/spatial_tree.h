@@ -22,6 +22,8 @@ class SpatialTree {
   /// Over the box from lower to upper, finite and not inverted; points outside belong to the cells
   /// at its border.
   SpatialTree(std::pmr::memory_resource* memory, Vec3f lower, Vec3f upper);
+  /// A copy in that memory.
+  SpatialTree(std::pmr::memory_resource* memory, const SpatialTree& other);
 
   /// The leaf of a point of a surface with this normal, times kEighths, plus the eighth of the
   /// leaf that it lies in.

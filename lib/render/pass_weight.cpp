@@ -50,7 +50,7 @@ double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint6
   }
   const std::pmr::vector<float> local = blurred(means, pass.width, pass.height);
   const auto most = static_cast<std::ptrdiff_t>(count - count / 100);
-  std::pmr::vector<float> usual = local;
+  std::pmr::vector<float> usual(local, memory);
   std::nth_element(usual.begin(), usual.begin() + (most - 1), usual.end());
   const double image =
       std::accumulate(usual.begin(), usual.begin() + most, 0.0) / static_cast<double>(most);

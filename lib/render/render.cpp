@@ -128,6 +128,7 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();
   Counters counters;
+  double weight = 1.0;
   try {
     const uint32_t tiles = tilesAlong(film_.width()) * tilesAlong(film_.height());
     Progress progress(*context_, "pass", this, tiles);
@@ -137,13 +138,14 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
       progress.step();
     });
     progress.throwIfCancelled();
+    if (combination_ == AWD_COMBINE_INVERSE_VARIANCE) {
+      weight = passWeight(context_->memory(), pass, samplesPerPixel);
+    }
   } catch (...) {
     if (field_) field_->revert();
     throw;
   }
-  const bool byVariance = combination_ == AWD_COMBINE_INVERSE_VARIANCE;
-  film_.merge(pass, samplesPerPixel,
-              byVariance ? passWeight(context_->memory(), pass, samplesPerPixel) : 1.0);
+  film_.merge(pass, samplesPerPixel, weight);
 
   AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
   figures.samplesPerPixel = samplesPerPixel;

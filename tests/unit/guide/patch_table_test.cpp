@@ -61,5 +61,26 @@ TEST(PatchTable, ThreadsMeetInOneItem) {
   EXPECT_EQ(alive, 0);
 }
 
+TEST(PatchTable, RemovesWhatIsGone) {
+  alive = 0;
+  {
+    std::pmr::memory_resource* memory = std::pmr::get_default_resource();
+    PatchTable<Item> table(memory);
+    for (uint32_t n = 0; n < 1000; ++n) {
+      table.touch(n * 12345u, [&] { return make<Item>(memory, n); });
+    }
+    table.removeIf([](const Item& item) { return item.number % 3 != 0; });
+    EXPECT_EQ(alive, 334);
+    for (uint32_t n = 0; n < 1000; ++n) {
+      const Item* item = table.find(n * 12345u);
+      ASSERT_EQ(item != nullptr, n % 3 == 0);
+      if (item) {
+        EXPECT_EQ(item->number, n);
+      }
+    }
+  }
+  EXPECT_EQ(alive, 0);
+}
+
 }  // namespace
 }  // namespace awd
