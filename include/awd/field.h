@@ -105,13 +105,15 @@ typedef struct AWDDirectionSample {
   float direction[3]; /* unit, in the upper hemisphere of the normal */
   float pdf;          /* in solid angle, 1/sr */
   float square[2];    /* the same point on the unit square */
-  uint32_t component; /* the basis function that it was drawn from (eq. 4) */
+  uint32_t component; /* the basis function drawn from (eq. 4); AWD_INVALID_ID unless paper */
   float solidAngle;   /* |d omega / d(u,v)| there, sr: p_square = pdf * solidAngle */
 } AWDDirectionSample;
 
 /* Draws a direction from the density of `patch` about the unit vector `normal`, from three
-   uniforms in [0,1): one chooses the component, two the point. A patch that has not learned
-   anything has the start density. Free, but not while the field adapts. */
+   uniforms in [0,1). Under the estimator paper one chooses the component, two the point; else the
+   first two choose the point by the inverse CDF, monotone in each, and the third is not used. A
+   patch that has not learned anything has the start density. Free, but not while the field
+   adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdSampleField(AWDField field, uint32_t patch, const float normal[3],
                                              const double uniforms[3],
                                              AWDDirectionSample* sample) AWD_NOEXCEPT;
@@ -165,8 +167,9 @@ typedef struct AWDFieldStatistics {
 #endif
 
 /* Ends a pass: every patch's recorded samples become its next density (estimate, clamp,
-   normalise), refined by a level where that is due; statistics start anew. statistics may be NULL.
-   A cancelled adapt leaves the field as it was. Exclusive. */
+   normalise; lumped: with what all passes before have taught), refined by a level where that is
+   due, and spatial patches of many samples are split; statistics start anew. statistics may be
+   NULL. A cancelled adapt leaves the field as it was. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdAdaptField(AWDField field,
                                             AWDFieldStatistics* statistics) AWD_NOEXCEPT;
 
@@ -192,7 +195,7 @@ typedef struct AWDPatchInfo {
   uint32_t level;     /* of both axes */
   uint32_t axisCount; /* functions per axis; axisCount^2 coefficients */
   uint64_t samples;   /* recorded since the last adapt */
-  uint64_t learned;   /* samples that the present density was made of; 0: start density */
+  uint64_t learned;   /* samples of the pass that last changed the density; 0: start density */
 } AWDPatchInfo;
 
 #ifdef __cplusplus

@@ -101,7 +101,8 @@ typedef struct AWDRenderDesc {
 #endif
 
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
-   alone; NULL: one of the render's own, made by the same preset. Its scale is set from the lights.
+   alone; NULL: one of the render's own, made by the same preset, with the scene's box. Its scale is
+   set from the lights.
    Free, but exclusive for the field. */
 AWD_EXPORT AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field,
                                            const AWDRenderDesc* desc,
@@ -181,7 +182,7 @@ AWD_EXPORT AWDResult AWD_CALL awdGetRenderStatistics(AWDRender render,
 /* What the film holds of a pixel; each three floats. */
 typedef int32_t AWDFilmLayer;
 enum {
-  AWD_FILM_RADIANCE = 1, /* mean over all samples, linear RGB */
+  AWD_FILM_RADIANCE = 1, /* mean over all samples as they are weighted, linear RGB */
   AWD_FILM_VARIANCE = 2  /* estimated variance of that mean, per channel; 0 below 2 samples */
 };
 

@@ -144,7 +144,8 @@ enum {
      mean^2, at least 1e-3 mean^2. Keeps the densities of the last 16 passes. */
   AWD_COMBINE_CROSS_VARIANCE = 2,
   /* Of a render: a sample counts for the inverse of the relative variance of samples in its pass,
-     one number of all pixels together, since a pixel's own variance goes with its mean. */
+     one number of all pixels together, since a pixel's own variance goes with its mean; as count
+     in images of fewer than 1024 pixels. */
   AWD_COMBINE_INVERSE_VARIANCE = 3
 };
 

@@ -138,8 +138,8 @@ void Field::record(uint32_t patch, const PatchView& view, const AWDDirectionSamp
                            value * static_cast<double>(sample.solidAngle));
 }
 
-void Field::reject(uint32_t patch, const AWDDirectionSample& sample) {
-  touch(keyOf(patch)).statistics->reject(tree_ ? patch % SpatialTree::kEighths : 0, sample);
+void Field::reject(uint32_t patch) {
+  touch(keyOf(patch)).statistics->reject(tree_ ? patch % SpatialTree::kEighths : 0);
 }
 
 void Field::setScale(double magnitude) {

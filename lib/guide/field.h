@@ -74,7 +74,7 @@ class Field final : public RefCounted {
   /// Fails as record() would for a patch or component that can't be.
   void checkRecord(uint32_t patch, const AWDDirectionSample& sample) const;
   /// A sample of the patch whose pdf makes no sense.
-  void reject(uint32_t patch, const AWDDirectionSample& sample);
+  void reject(uint32_t patch);
   /// Records what a path brought at each of its vertices, from the camera on; its radiance. All
   /// that can fail has been checked.
   Vec3d recordPath(const AWDPathVertex* vertices, std::size_t count, Vec3d background);

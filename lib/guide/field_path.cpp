@@ -36,7 +36,7 @@ Vec3d Field::recordPath(const AWDPathVertex* vertices, std::size_t count, Vec3d 
         if (canBeRecorded(sample)) {
           record(vertex.patch, sample, luminance(reflected));
         } else {
-          reject(vertex.patch, sample);
+          reject(vertex.patch);
         }
       }
       const double chance =

@@ -91,7 +91,8 @@ double PatchLearning::alphaFor(double samples) const {
 void PatchLearning::pool(const PatchKnowledge& known, double samples, Coefficients& coefficients) {
   // The former estimate: the density without the constant in it, times the integral.
   const double share = known.weight / (known.weight + samples);
-  const double scale = known.density ? share * known.mean / (1.0 - known.alpha) : 0.0;
+  const double scale =
+      known.density && known.alpha < 1.0 ? share * known.mean / (1.0 - known.alpha) : 0.0;
   for (std::size_t j = 0; j < coefficients.size(); ++j) {
     coefficients[j] *= 1.0 - share;
     if (scale > 0.0) {

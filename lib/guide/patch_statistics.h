@@ -56,7 +56,7 @@ class PatchStatistics {
   }
 
   /// A sample of that eighth whose pdf no sample can have: it counts, and teaches nothing.
-  void reject(uint32_t eighth, const AWDDirectionSample&) noexcept {
+  void reject(uint32_t eighth) noexcept {
     eighths_[eighth].fetch_add(1, std::memory_order_relaxed);
     visitSums(sums_, [](auto& sums) { sums.reject(Rejection::kPdf); });
   }

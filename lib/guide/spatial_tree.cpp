@@ -54,7 +54,7 @@ uint64_t SpatialTree::code(Vec3f point) const {
   const Vec3f p = (point - lower_) * scale_;
   const auto cell = [](float x) {
     constexpr auto kLast = static_cast<float>((1u << kBits) - 1);
-    return static_cast<uint64_t>(static_cast<uint32_t>(std::min(std::max(x, 0.0f), kLast)));
+    return static_cast<uint64_t>(x > 0.0f ? std::min(x, kLast) : 0.0f);  // NaN: 0
   };
   return spread(cell(p.x)) << 2 | spread(cell(p.y)) << 1 | spread(cell(p.z));
 }

@@ -61,7 +61,8 @@ double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint6
   std::nth_element(terms.begin(), kept - 1, terms.end());
   const double sum = std::accumulate(terms.begin(), kept, 0.0);
   const double weight = static_cast<double>(kept - terms.begin()) / sum;
-  return weight > 0.0 && std::isfinite(weight) ? weight : 1.0;
+  // Nothing but black, or nearly: light is rarer than one of all these samples.
+  return weight > 0.0 && std::isfinite(weight) ? weight : 1.0 / (n * static_cast<double>(count));
 }
 
 std::pmr::vector<float> blurredLuminance(std::pmr::memory_resource* memory, const Film& film) {

@@ -11,7 +11,8 @@ namespace awd {
 /// in luminance, of both without the hundredth part of the pixels where they are largest: one
 /// number for the whole image, in which the noise of a pixel's own samples weighs nothing, so that
 /// the combined image stays unbiased but for terms of the order of 1 / pixels. Of a pass of one
-/// sample per pixel neighbours serve in the place of further samples. 1 if nothing can be said.
+/// sample per pixel neighbours serve in the place of further samples. Of a black pass v is taken
+/// for the number of its samples.
 double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint64_t samples);
 
 /// The luminance of the film, averaged over 5 x 5 pixels; empty while there are no samples.

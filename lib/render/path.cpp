@@ -117,7 +117,7 @@ Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random, float
     vertex.direct = directLight(surface, random);
 
     const float chance = chanceToGoOn(path_.size(), throughput, material.albedo, patch, expected);
-    if (random.next() >= chance) break;
+    if (!(random.next() < chance)) break;  // nor on a chance that is NaN
     const Indirect indirect = chooseDirection(surface, patch, random);
     vertex.sample = indirect.sample;
     vertex.cosine = indirect.cosine;

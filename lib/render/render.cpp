@@ -16,6 +16,9 @@ namespace {
 /// Side of the square of pixels that one thread renders at a time.
 constexpr uint32_t kTile = 16;
 
+/// In fewer pixels a pass's variance goes with its mean so far that weights would make a bias.
+constexpr std::size_t kLeastPixels = 1024;
+
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
 /// CPU time of the process and wall time since its construction.
@@ -138,7 +141,7 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
       progress.step();
     });
     progress.throwIfCancelled();
-    if (combination_ == AWD_COMBINE_INVERSE_VARIANCE) {
+    if (combination_ == AWD_COMBINE_INVERSE_VARIANCE && pass.pixels.size() >= kLeastPixels) {
       weight = passWeight(context_->memory(), pass, samplesPerPixel);
     }
   } catch (...) {

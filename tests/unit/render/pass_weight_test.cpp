@@ -48,9 +48,9 @@ TEST(PassWeight, KnowsNoUnit) {
   EXPECT_DOUBLE_EQ(weight(noisy(4, 0.2, 1.0), 4), weight(noisy(4, 0.2, 0x1p-20), 4));
 }
 
-TEST(PassWeight, IsOneWhereNothingCanBeSaid) {
+TEST(PassWeight, OfABlackPassIsThatOfLightTooRareToBeSeen) {
   const PassFilm black(std::pmr::get_default_resource(), 8, 8);
-  EXPECT_EQ(weight(black, 4), 1.0);
+  EXPECT_EQ(weight(black, 4), 1.0 / 256);
   const PassFilm pixel(std::pmr::get_default_resource(), 1, 1);
   EXPECT_EQ(weight(pixel, 1), 1.0);
 }
