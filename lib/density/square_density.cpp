@@ -18,13 +18,18 @@ SquareDensity::SquareDensity(const BasisLevel& level, AWDSampler sampler,
                              std::pmr::vector<double> coefficients, Scale scale)
     : level_(&level),
       coefficients_(std::move(coefficients)),
+      nodal_(coefficients_.get_allocator()),
       cumulative_(coefficients_.get_allocator()) {
   if (scale == Scale::toIntegral) normalise();
   if (sampler == AWD_SAMPLER_COMPONENT) {
     accumulate();
     return;
   }
-  inverse_.emplace(*level_, coefficients_);
+  if (NodalSquare::fits(level)) {
+    nodal_ = NodalSquare::tables(level, coefficients_);
+  } else {
+    inverse_.emplace(*level_, coefficients_);
+  }
 }
 
 Ref<SquareDensity> SquareDensity::make(const BasisLevel& level, AWDSampler sampler,
@@ -68,6 +73,7 @@ void SquareDensity::accumulate() {
 }
 
 double SquareDensity::pdf(float u, float v) const {
+  if (!nodal_.empty()) return static_cast<double>(nodal().pdf(u, v));
   if (inverse_) return inverse_->pdf(u, v);
   const uint32_t n = level_->count;
   if (level_->order == 1 && level_->alive == 1) {
@@ -89,6 +95,10 @@ double SquareDensity::pdf(float u, float v) const {
 }
 
 SquareSample SquareDensity::sample(const double uniforms[3]) const {
+  if (!nodal_.empty()) {
+    const NodalSquare::Sample drawn = nodal().sample(uniforms[0], uniforms[1]);
+    return {drawn.u, drawn.v, AWD_INVALID_ID, static_cast<double>(drawn.pdf)};
+  }
   if (!inverse_) return sampleByComponent(uniforms);
   const SquareSampler::Sample drawn = inverse_->sample(uniforms[0], uniforms[1]);
   return {drawn.u, drawn.v, AWD_INVALID_ID, drawn.pdf};
@@ -108,7 +118,7 @@ SquareSample SquareDensity::sampleByComponent(const double uniforms[3]) const {
 
 std::size_t SquareDensity::bytes() const {
   return sizeof *this + (coefficients_.size() + cumulative_.size()) * sizeof(double) +
-         (inverse_ ? inverse_->bytes() : 0);
+         nodal_.size() * sizeof(float) + (inverse_ ? inverse_->bytes() : 0);
 }
 
 }  // namespace awd

@@ -16,6 +16,7 @@ SquareValues::SquareValues(std::pmr::memory_resource* memory, const BasisLevel& 
       levels_{&level, &level},
       components_(std::size_t{level.count} * level.count),
       order_(commonOrder(levels_, 2)),
+      nodal_(NodalSquare::fits(level)),
       sums_(static_cast<Sum*>(memory->allocate(components_ * sizeof(Sum), alignof(Sum)))) {
   for (std::size_t i = 0; i < components_; ++i) new (&sums_[i]) Sum(0);
 }
@@ -31,8 +32,26 @@ void SquareValues::record(float u, float v, double p, double f) noexcept {
     saturate();
     value = kLargestUnits;
   }
+  if (nodal_) return recordNodes(u, v, value);
   const double x[2] = {u, v};
   withOrder(order_, [&](auto order) { recordAlive<order>(x, value); });
+}
+
+/// What recordAlive<2>() does where the functions alive are those at the corners of a cell.
+void SquareValues::recordNodes(float u, float v, double value) noexcept {
+  const uint32_t cells = levels_[0]->cells;
+  const NodalSquare::Place along[2] = {NodalSquare::placeOf(u, cells),
+                                       NodalSquare::placeOf(v, cells)};
+  const double t[2] = {along[0].t, along[1].t};
+  Sum* below = sums_ + std::size_t{along[0].cell} * (cells + 1) + along[1].cell;
+  Sum* above = below + cells + 1;
+  const auto add = [&](Sum& sum, double atU, double atV) {
+    accumulate(sum, static_cast<int64_t>(value * (atU * atV) + 0.5));
+  };
+  add(below[0], 1.0 - t[0], 1.0 - t[1]);
+  add(below[1], 1.0 - t[0], t[1]);
+  add(above[0], t[0], 1.0 - t[1]);
+  add(above[1], t[0], t[1]);
 }
 
 template <uint32_t order>

@@ -8,6 +8,7 @@
 
 #include "basis/family.h"
 #include "density/fixed_sums.h"
+#include "density/nodal_square.h"
 
 namespace awd {
 
@@ -24,6 +25,16 @@ class SquareValues final : public FixedSums {
   /// f that is not finite or is negative is rejected and counts as 0; where f/p is too large for
   /// its unit it is clamped, and the sample counted.
   void record(float u, float v, double p, double f) noexcept;
+
+  /// Brings nearer what record() will add to, where that is known without a search.
+  void prefetch(float u, float v) const {
+    if (!nodal_) return;
+    const uint32_t cells = levels_[0]->cells;
+    const Sum* below = sums_ + std::size_t{NodalSquare::placeOf(u, cells).cell} * (cells + 1) +
+                       NodalSquare::placeOf(v, cells).cell;
+    __builtin_prefetch(below, 1);
+    __builtin_prefetch(below + cells + 1, 1);
+  }
 
   std::size_t components() const { return components_; }
   /// S1_j; means nothing once a sum has overflowed.
@@ -42,6 +53,7 @@ class SquareValues final : public FixedSums {
 
  private:
   using Sum = std::atomic<int64_t>;
+  void recordNodes(float u, float v, double value) noexcept;
   template <uint32_t order>
   void recordAlive(const double x[2], double value) noexcept;
 
@@ -49,6 +61,7 @@ class SquareValues final : public FixedSums {
   const BasisLevel* levels_[2];
   std::size_t components_;
   uint32_t order_;  ///< commonOrder() of the axes
+  bool nodal_;      ///< NodalSquare::fits()
   Sum* sums_;
 };
 

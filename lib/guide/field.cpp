@@ -58,15 +58,28 @@ const Patch* Field::nearest(uint32_t key) const {
 }
 
 PatchView Field::viewOf(uint32_t key) const {
-  const Patch* known = nearest(key);
-  if (!known) return {start_.get(), nullptr, 0.0f, 0};
-  const PatchKnowledge& all = known->known;
-  return {&density(all), table_.find(key), static_cast<float>(all.mean), all.weight > 0.0 ? 1u : 0};
+  const Patch* origin = nearest(key);
+  const SquareDensity& current = origin ? density(origin->known) : *start_;
+  PatchView view;
+  view.density = &current;
+  view.nodalTables = current.nodal().data();
+  view.nodalCells = static_cast<uint16_t>(current.level().cells);
+  if (!origin) return view;
+  if (const Patch* patch = table_.find(key)) view.statistics = patch->statistics.get();
+  view.mean = static_cast<float>(origin->known.mean);
+  view.known = origin->known.weight > 0.0;
+  return view;
 }
 
-AWDDirectionSample Field::sample(const SquareDensity& density, Vec3f normal,
+AWDDirectionSample Field::sample(const PatchView& view, Vec3f normal,
                                  const double uniforms[3]) const {
-  const SquareSample point = density.sample(uniforms);
+  SquareSample point;
+  if (view.nodalTables) {
+    const NodalSquare::Sample drawn = view.nodal().sample(uniforms[0], uniforms[1]);
+    point = {drawn.u, drawn.v, AWD_INVALID_ID, static_cast<double>(drawn.pdf)};
+  } else {
+    point = view.density->sample(uniforms);
+  }
   const MappedDirection mapped = mapToHemisphere(settings_.map, point.u, point.v);
   const Vec3f direction = Frame(normal).toWorld(mapped.direction);
   return {{direction.x, direction.y, direction.z},
@@ -132,10 +145,10 @@ void Field::checkRecord(uint32_t patch, const AWDDirectionSample& sample) const 
 void Field::record(uint32_t patch, const PatchView& view, const AWDDirectionSample& sample,
                    double value) {
   checkRecord(patch, sample);
-  Patch& known = view.patch ? *view.patch : touch(keyOf(patch));
+  PatchStatistics& sums = view.statistics ? *view.statistics : *touch(keyOf(patch)).statistics;
   // The density lives on the square: f there is f in solid angle times d omega / d(u,v).
-  known.statistics->record(tree_ ? patch % SpatialTree::kEighths : 0, sample,
-                           value * static_cast<double>(sample.solidAngle));
+  sums.record(tree_ ? patch % SpatialTree::kEighths : 0, sample,
+              value * static_cast<double>(sample.solidAngle));
 }
 
 void Field::reject(uint32_t patch) {
@@ -346,6 +359,11 @@ void Field::mark() {
   for (auto& [patch, statistics] : fresh) {
     patch->marked = std::move(patch->statistics);
     patch->statistics = std::move(statistics);
+  }
+  // Views go on showing what the last adapt left, and record into the new statistics.
+  for (uint32_t leaf = 0; leaf < views_.size(); ++leaf) {
+    PatchView& view = views_[leaf];
+    if (view.statistics) view.statistics = table_.find(leaf)->statistics.get();
   }
 }
 

@@ -24,9 +24,14 @@ namespace awd {
 /// What a pass needs to know of a patch, looked up once.
 struct PatchView {
   const SquareDensity* density = nullptr;
-  Patch* patch = nullptr;  ///< null: none has been made yet
-  float mean = 0.0f;       ///< of f/p: the radiance reflected, in the units of what is recorded
-  uint32_t known = 0;      ///< 0: nothing has been learned about the mean
+  PatchStatistics* statistics = nullptr;  ///< null: the patch has not been made yet
+  const float* nodalTables = nullptr;     ///< of nodal()
+  float mean = 0.0f;  ///< of f/p: the radiance reflected, in the units of what is recorded
+  uint16_t nodalCells = 0;
+  bool known = false;  ///< whether anything has been learned about the mean
+
+  /// The fast form of the density, if it has one.
+  NodalSquare nodal() const { return {nodalTables, nodalCells}; }
 };
 
 class Field final : public RefCounted {
@@ -53,14 +58,17 @@ class Field final : public RefCounted {
 
   /// Brings nearer what sampling and recording in a patch will read.
   static void prefetch(const PatchView& view) {
-    view.density->prefetch();
-    if (view.patch) __builtin_prefetch(view.patch->statistics.get());
+    if (view.nodalTables) {
+      view.nodal().prefetch();
+    } else {
+      view.density->prefetch();
+    }
+    if (view.statistics) view.statistics->prefetch();
   }
 
-  AWDDirectionSample sample(const SquareDensity& density, Vec3f normal,
-                            const double uniforms[3]) const;
+  AWDDirectionSample sample(const PatchView& view, Vec3f normal, const double uniforms[3]) const;
   AWDDirectionSample sample(uint32_t patch, Vec3f normal, const double uniforms[3]) const {
-    return sample(density(patch), normal, uniforms);
+    return sample(view(patch), normal, uniforms);
   }
   float pdf(uint32_t patch, Vec3f normal, Vec3f direction) const;
   /// A direction that the host drew, as a sample that can be recorded; of pdf and solid angle 0

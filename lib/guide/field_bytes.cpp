@@ -200,7 +200,7 @@ std::pmr::vector<char> Field::bytesOf() const {
     putKnowledge(writer, patch.known);
     writer.put(patch.learned);
     writer.put(static_cast<uint8_t>(patch.seen));
-    writer.put(static_cast<uint8_t>(key < views_.size() && views_[key].patch));
+    writer.put(static_cast<uint8_t>(key < views_.size() && views_[key].statistics));
     writer.put(static_cast<int32_t>(patch.statistics->common().unitExponent()));
     patch.statistics->put(writer);
     writer.put(static_cast<uint8_t>(patch.marked != nullptr));

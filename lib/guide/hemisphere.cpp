@@ -40,11 +40,11 @@ MappedDirection malley(float u, float v) {
 /// Sine and cosine for |x| <= pi/4 by Taylor's series: to the last bits of a float.
 float sineWithin(float x) {
   const float y = x * x;
-  return x * (1.0f + y * (-1.0f / 6 + y * (1.0f / 120 + y * (-1.0f / 5040 + y / 362880))));
+  return x * (1.0f + y * (-1.0f / 6 + y * (1.0f / 120 + y * (-1.0f / 5040 + y * (1.0f / 362880)))));
 }
 float cosineWithin(float x) {
   const float y = x * x;
-  return 1.0f + y * (-0.5f + y * (1.0f / 24 + y * (-1.0f / 720 + y / 40320)));
+  return 1.0f + y * (-0.5f + y * (1.0f / 24 + y * (-1.0f / 720 + y * (1.0f / 40320))));
 }
 
 MappedDirection concentricCosine(float u, float v) {
@@ -68,16 +68,6 @@ MappedDirection concentricCosine(float u, float v) {
 float belowOne(float x) { return std::clamp(x, 0.0f, std::nextafter(1.0f, 0.0f)); }
 
 }  // namespace
-
-Frame::Frame(Vec3f n) : normal(n) {
-  const float x = std::abs(n.x);
-  const float y = std::abs(n.y);
-  const float z = std::abs(n.z);
-  // The axis after the dominant one is never parallel to the normal.
-  const Vec3f axis = x >= y && x >= z ? Vec3f{0, 1, 0} : y >= z ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
-  tangent = normalized(axis - n * dot(n, axis));
-  bitangent = cross(n, tangent);
-}
 
 MappedDirection mapToHemisphere(AWDHemisphereMap map, float u, float v) {
   switch (map) {

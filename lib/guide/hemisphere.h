@@ -2,6 +2,9 @@
 // Maps from the unit square to directions above a surface, and tangent frames.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "awd/field.h"
 #include "util/vec.h"
 
@@ -12,7 +15,19 @@ namespace awd {
 struct Frame {
   Vec3f tangent, bitangent, normal;
 
-  explicit Frame(Vec3f n);
+  explicit Frame(Vec3f n) : normal(n) {
+    const float x = std::abs(n.x);
+    const float y = std::abs(n.y);
+    const float z = std::abs(n.z);
+    // The axis after the dominant one is never parallel to the normal: what is left of it beside
+    // the normal has the length sqrt(1 - c^2), c their cosine.
+    const bool alongX = (x >= y) & (x >= z);
+    const bool alongY = !alongX & (y >= z);
+    const Vec3f axis = {alongX || alongY ? 0.0f : 1.0f, alongX ? 1.0f : 0.0f, alongY ? 1.0f : 0.0f};
+    const float c = dot(n, axis);
+    tangent = (axis - n * c) * (1.0f / std::sqrt(1.0f - c * c));
+    bitangent = cross(n, tangent);
+  }
   Vec3f toWorld(Vec3f d) const { return tangent * d.x + bitangent * d.y + normal * d.z; }
   Vec3f toLocal(Vec3f d) const { return {dot(d, tangent), dot(d, bitangent), dot(d, normal)}; }
 };

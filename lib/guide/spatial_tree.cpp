@@ -8,14 +8,24 @@ namespace awd {
 
 namespace {
 
-/// +x, -x, +y, -y, +z, -z: the axis along which a normal is longest.
+/// Leaves from which on the table has its full depth: about as many as it has cells that a surface
+/// goes through.
+constexpr uint32_t kManyLeaves = 256;
+constexpr uint32_t kFewLevels = 6;
+constexpr uint32_t kManyLevels = 12;
+
+/// +x, -x, +y, -y, +z, -z: the axis along which a normal is longest. Without branches, which
+/// would be hard to foretell.
 uint32_t binOf(Vec3f n) {
   const float x = std::abs(n.x);
   const float y = std::abs(n.y);
   const float z = std::abs(n.z);
-  if (x >= y && x >= z) return n.x < 0.0f ? 1 : 0;
-  if (y >= z) return n.y < 0.0f ? 3 : 2;
-  return n.z < 0.0f ? 5 : 4;
+  const uint32_t alongX = (x >= y) & (x >= z);
+  const uint32_t alongY = (alongX ^ 1u) & (y >= z);
+  const uint32_t alongZ = alongX ^ alongY ^ 1u;
+  const uint32_t negative =
+      (alongX & (n.x < 0.0f)) | (alongY & (n.y < 0.0f)) | (alongZ & (n.z < 0.0f));
+  return 2 * alongY + 4 * alongZ + negative;
 }
 
 /// Two zero bits before each of 16 bits.
@@ -37,7 +47,7 @@ SpatialTree::SpatialTree(std::pmr::memory_resource* memory, Vec3f lower, Vec3f u
   lower_ = lower - Vec3f{0.0371f, 0.0533f, 0.0419f} * extent;
   scale_ = static_cast<float>(1u << kBits) / extent;
   for (uint32_t bin = 0; bin < kBins; ++bin) {
-    nodes_.push_back(kLeafFlag | bin);
+    nodes_.push_back(leafWord(bin, 0));
     leaves_.push_back({bin, bin, 0, 0});
   }
   finish();
@@ -48,28 +58,30 @@ SpatialTree::SpatialTree(std::pmr::memory_resource* memory, const SpatialTree& o
       scale_(other.scale_),
       nodes_(other.nodes_, memory),
       leaves_(other.leaves_, memory),
-      table_(other.table_, memory) {}
+      table_(other.table_, memory),
+      tableDepth_(other.tableDepth_) {}
 
-uint64_t SpatialTree::code(Vec3f point) const {
+inline uint64_t SpatialTree::code(Vec3f point) const {
   const Vec3f p = (point - lower_) * scale_;
   const auto cell = [](float x) {
     constexpr auto kLast = static_cast<float>((1u << kBits) - 1);
-    return static_cast<uint64_t>(x > 0.0f ? std::min(x, kLast) : 0.0f);  // NaN: 0
-  };
+    return static_cast<uint64_t>(static_cast<int32_t>(std::min(std::max(0.0f, x), kLast)));
+  };  // NaN: 0
   return spread(cell(p.x)) << 2 | spread(cell(p.y)) << 1 | spread(cell(p.z));
 }
 
 uint32_t SpatialTree::find(Vec3f point, Vec3f normal) const {
   const uint64_t bits = code(point);
   constexpr uint32_t kAll = 3 * kBits;
-  const Start& start = table_[binOf(normal) << kTableDepth | bits >> (kAll - kTableDepth)];
-  uint32_t word = start.word;
-  uint32_t left = kAll - start.depth;  // bits not yet used
+  uint32_t left = kAll - tableDepth_;  // bits not yet used
+  uint32_t word = table_[binOf(normal) << tableDepth_ | bits >> left];
   while (!(word & kLeafFlag)) {
     --left;
     word = nodes_[word + (bits >> left & 1u)];
   }
-  return (word & ~kLeafFlag) * kEighths + static_cast<uint32_t>(bits >> (left - 3) & 7u);
+  const uint32_t depth = word >> kDepthShift & kDepthMask;
+  return (word & (kMostLeaves - 1)) * kEighths +
+         static_cast<uint32_t>(bits >> (kAll - 3 - depth) & 7u);
 }
 
 uint32_t SpatialTree::split(uint32_t leaf, uint32_t keeper) {
@@ -77,8 +89,8 @@ uint32_t SpatialTree::split(uint32_t leaf, uint32_t keeper) {
   const auto other = static_cast<uint32_t>(leaves_.size());
   const uint32_t depth = leaves_[leaf].depth + 1;
   nodes_.resize(nodes_.size() + 2);
-  nodes_[children + keeper] = kLeafFlag | leaf;
-  nodes_[children + 1 - keeper] = kLeafFlag | other;
+  nodes_[children + keeper] = leafWord(leaf, depth);
+  nodes_[children + 1 - keeper] = leafWord(other, depth);
   leaves_.push_back({children + 1 - keeper, leaf, depth, 1 - keeper});
   nodes_[leaves_[leaf].node] = children;
   leaves_[leaf].node = children + keeper;
@@ -86,22 +98,27 @@ uint32_t SpatialTree::split(uint32_t leaf, uint32_t keeper) {
   return other;
 }
 
+void SpatialTree::fillTable(uint32_t word, uint32_t first, uint32_t levels) {
+  if (levels == 0 || word & kLeafFlag) {
+    std::fill_n(table_.begin() + first, std::size_t{1} << levels, word);
+    return;
+  }
+  fillTable(nodes_[word], first, levels - 1);
+  fillTable(nodes_[word + 1], first + (1u << (levels - 1)), levels - 1);
+}
+
 void SpatialTree::finish() {
-  table_.resize(std::size_t{kBins} << kTableDepth);
-  for (uint32_t i = 0; i < table_.size(); ++i) {
-    uint32_t word = nodes_[i >> kTableDepth];
-    uint32_t depth = 0;
-    for (; depth < kTableDepth && !(word & kLeafFlag); ++depth) {
-      word = nodes_[word + (i >> (kTableDepth - 1 - depth) & 1u)];
-    }
-    table_[i] = {word, depth};
+  tableDepth_ = leaves() < kManyLeaves ? kFewLevels : kManyLevels;
+  table_.resize(std::size_t{kBins} << tableDepth_);
+  for (uint32_t bin = 0; bin < kBins; ++bin) {
+    fillTable(nodes_[bin], bin << tableDepth_, tableDepth_);
   }
 }
 
 std::size_t SpatialTree::bytes() const {
   // Of what is in use: the same whether the tree grew here or was loaded.
   return nodes_.size() * sizeof(uint32_t) + leaves_.size() * sizeof(Leaf) +
-         table_.size() * sizeof(Start);
+         table_.size() * sizeof(uint32_t);
 }
 
 }  // namespace awd

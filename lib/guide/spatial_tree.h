@@ -38,7 +38,9 @@ class SpatialTree {
   uint32_t depth(uint32_t leaf) const { return leaves_[leaf].depth; }
   /// Which half of its origin the leaf was when the split made it.
   uint32_t side(uint32_t leaf) const { return leaves_[leaf].side; }
-  bool canSplit(uint32_t leaf) const { return leaves_[leaf].depth < kDeepest; }
+  bool canSplit(uint32_t leaf) const {
+    return leaves_[leaf].depth < kDeepest && leaves_.size() < kMostLeaves;
+  }
 
   /// Halves a leaf. One half keeps its number, the first or the second; the other gets the next
   /// number, which is returned. Call finish() before the next find().
@@ -50,9 +52,15 @@ class SpatialTree {
  private:
   static constexpr uint32_t kBits = 16;  ///< of a coordinate
   static constexpr uint32_t kDeepest = 3 * kBits - 3;
-  /// The first levels are looked up at once.
-  static constexpr uint32_t kTableDepth = 9;
+  // A word of a node: kLeafFlag | depth | number of a leaf, or the index of the first of two
+  // children, which lie side by side.
   static constexpr uint32_t kLeafFlag = 0x80000000u;
+  static constexpr uint32_t kDepthShift = 25;
+  static constexpr uint32_t kDepthMask = 63;
+  static constexpr uint32_t kMostLeaves = 1u << kDepthShift;
+  static uint32_t leafWord(uint32_t leaf, uint32_t depth) {
+    return kLeafFlag | depth << kDepthShift | leaf;
+  }
 
   struct Leaf {
     uint32_t node;  ///< that holds its number
@@ -60,20 +68,18 @@ class SpatialTree {
     uint32_t depth;
     uint32_t side;
   };
-  /// Where the search goes on, and at which depth.
-  struct Start {
-    uint32_t word;
-    uint32_t depth;
-  };
 
   uint64_t code(Vec3f point) const;
+  void fillTable(uint32_t word, uint32_t first, uint32_t levels);
 
   Vec3f lower_;
   float scale_;
-  /// kLeafFlag | leaf, or the index of the first of two children, which lie side by side.
-  std::pmr::vector<uint32_t> nodes_;
+  std::pmr::vector<uint32_t> nodes_;  ///< the first are the roots
   std::pmr::vector<Leaf> leaves_;
-  std::pmr::vector<Start> table_;  ///< kBins << kTableDepth
+  /// The first levels are looked up at once: for each root the words there. More levels if there
+  /// are many leaves.
+  std::pmr::vector<uint32_t> table_;
+  uint32_t tableDepth_;
 };
 
 }  // namespace awd

@@ -168,10 +168,11 @@ PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const P
   for (double& u : uniforms) u = random.next();
   Indirect indirect = {};
   if (field_) {
-    indirect.sample = field_->sample(*patch.density, surface.normal, uniforms);
+    indirect.sample = field_->sample(patch, surface.normal, uniforms);
     indirect.direction = load(indirect.sample.direction);
     indirect.cosine = std::max(dot(indirect.direction, surface.normal), 0.0f);
     indirect.weight = indirect.cosine / (kPi * indirect.sample.pdf);
+    if (patch.statistics) patch.statistics->prefetch(indirect.sample);
     return indirect;
   }
   const auto u = static_cast<float>(uniforms[0]);

@@ -10,7 +10,8 @@ endforeach()
 target_link_libraries(unit-families PUBLIC awd-settings awd-test-bases)
 
 awd_unit_test(density axis_test.cpp bases_test.cpp binned_sum_test.cpp density_test.cpp
-  gram_test.cpp inverse_cdf_test.cpp leaf_sampler_test.cpp normal_pattern_test.cpp parabola_test.cpp
+  gram_test.cpp inverse_cdf_test.cpp leaf_sampler_test.cpp nodal_square_test.cpp
+  normal_pattern_test.cpp parabola_test.cpp
   passes_test.cpp projection_test.cpp refit_solvers_test.cpp refit_test.cpp settings_test.cpp
   square_density_test.cpp square_statistics_test.cpp square_sums_test.cpp tensor_test.cpp
   tree_descent_test.cpp tree_index_test.cpp tree_matrices_test.cpp tree_test.cpp wavelet_test.cpp)

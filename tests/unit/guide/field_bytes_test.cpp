@@ -104,7 +104,7 @@ TEST_P(FieldBytes, WhatAPassNeedsToKnowOfAPatchComesBack) {
   // What a leaf is known by during a pass is what was known before the pass touched it.
   const uint32_t touched = field->findPatch({0.9f, 0.9f, 0.5f}, {0, 0, 1});
   const double u[3] = {0.1, 0.2, 0.3};
-  EXPECT_TRUE(field->view(touched).known && !field->view(touched).patch);
+  EXPECT_TRUE(field->view(touched).known && !field->view(touched).statistics);
   field->record(touched, field->sample(touched, {0, 0, 1}, u), 1.0);
   const Ref<Field> copy = load(field->bytesOf());
   EXPECT_GT(field->patches().size(), 8u);
@@ -114,7 +114,7 @@ TEST_P(FieldBytes, WhatAPassNeedsToKnowOfAPatchComesBack) {
     EXPECT_EQ(ours.mean, theirs.mean);
     EXPECT_EQ(ours.known, theirs.known) << leaf;
     EXPECT_EQ(ours.density->coefficients(), theirs.density->coefficients());
-    EXPECT_EQ(ours.patch == nullptr, theirs.patch == nullptr) << leaf;
+    EXPECT_EQ(ours.statistics == nullptr, theirs.statistics == nullptr) << leaf;
   }
   EXPECT_EQ(field->statistics().bytes, copy->statistics().bytes);
 }
