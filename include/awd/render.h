@@ -70,10 +70,10 @@ enum {
   AWD_ROULETTE_DEFAULT = 0,
   AWD_ROULETTE_ALBEDO = 1,     /* q = largest component of the albedo */
   AWD_ROULETTE_THROUGHPUT = 2, /* q = largest component of throughput times albedo, at most 1 */
-  /* q = clamp(2 T L / I, 0.1, 1): by the radiance still to come. T is the luminance of the
+  /* q = clamp(3 T L / I, 0.1, 1): by the radiance still to come. T is the luminance of the
      throughput before the vertex, L that of the indirect light which the vertex's patch reflects by
-     the field, I that of the pixel in earlier passes, blurred over 5 x 5 pixels; by albedo where
-     nothing is known. Needs AWD_GUIDE_ADAPTIVE. */
+     the field, I that of the pixel in earlier passes, blurred over 5 x 5 pixels and not below a
+     fifth of the image's mean; by albedo where nothing is known. Needs AWD_GUIDE_ADAPTIVE. */
   AWD_ROULETTE_ADJOINT = 3
 };
 

@@ -25,6 +25,10 @@ SquareDensity::SquareDensity(const BasisLevel& level, AWDSampler sampler,
     accumulate();
     return;
   }
+  // The integral is 1: coefficients that are all the same are 1, but for rounding.
+  constant_ = std::all_of(coefficients_.begin(), coefficients_.end(),
+                          [&](double coefficient) { return coefficient == coefficients_[0]; });
+  if (constant_) return;
   if (NodalSquare::fits(level)) {
     nodal_ = NodalSquare::tables(level, coefficients_);
   } else {
@@ -73,6 +77,7 @@ void SquareDensity::accumulate() {
 }
 
 double SquareDensity::pdf(float u, float v) const {
+  if (constant_) return 1.0;
   if (!nodal_.empty()) return static_cast<double>(nodal().pdf(u, v));
   if (inverse_) return inverse_->pdf(u, v);
   const uint32_t n = level_->count;
@@ -95,6 +100,11 @@ double SquareDensity::pdf(float u, float v) const {
 }
 
 SquareSample SquareDensity::sample(const double uniforms[3]) const {
+  if (constant_) {
+    constexpr float kMost = 1.0f - 0x1p-24f;
+    return {std::min(static_cast<float>(uniforms[0]), kMost),
+            std::min(static_cast<float>(uniforms[1]), kMost), AWD_INVALID_ID, 1.0};
+  }
   if (!nodal_.empty()) {
     const NodalSquare::Sample drawn = nodal().sample(uniforms[0], uniforms[1]);
     return {drawn.u, drawn.v, AWD_INVALID_ID, static_cast<double>(drawn.pdf)};

@@ -9,6 +9,8 @@ namespace awd {
 namespace {
 
 constexpr uint32_t kRadius = 2;
+/// Of the image's mean: what a pixel is at least expected to have.
+constexpr double kLeastExpected = 0.2;
 
 /// Means over (2 kRadius + 1)^2 pixels, fewer at the border.
 std::pmr::vector<float> blurred(const std::pmr::vector<float>& image, uint32_t width,
@@ -26,6 +28,19 @@ std::pmr::vector<float> blurred(const std::pmr::vector<float>& image, uint32_t w
     }
   }
   return result;
+}
+
+/// Pixels without the hundredth part where something is largest.
+std::ptrdiff_t usualCount(std::size_t pixels) {
+  return static_cast<std::ptrdiff_t>(pixels - pixels / 100);
+}
+
+/// The mean of those pixels.
+double usualMean(const std::pmr::vector<float>& image) {
+  const std::ptrdiff_t most = usualCount(image.size());
+  std::pmr::vector<float> usual(image, image.get_allocator());
+  std::nth_element(usual.begin(), usual.begin() + (most - 1), usual.end());
+  return std::accumulate(usual.begin(), usual.begin() + most, 0.0) / static_cast<double>(most);
 }
 
 }  // namespace
@@ -49,15 +64,11 @@ double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint6
     }
   }
   const std::pmr::vector<float> local = blurred(means, pass.width, pass.height);
-  const auto most = static_cast<std::ptrdiff_t>(count - count / 100);
-  std::pmr::vector<float> usual(local, memory);
-  std::nth_element(usual.begin(), usual.begin() + (most - 1), usual.end());
-  const double image =
-      std::accumulate(usual.begin(), usual.begin() + most, 0.0) / static_cast<double>(most);
+  const double image = usualMean(local);
   for (std::size_t i = 0; i < count; ++i) {
     terms[i] /= static_cast<double>(local[i]) * local[i] + 0.01 * image * image;
   }
-  const auto kept = terms.begin() + most;
+  const auto kept = terms.begin() + usualCount(count);
   std::nth_element(terms.begin(), kept - 1, terms.end());
   const double sum = std::accumulate(terms.begin(), kept, 0.0);
   const double weight = static_cast<double>(kept - terms.begin()) / sum;
@@ -65,12 +76,15 @@ double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint6
   return weight > 0.0 && std::isfinite(weight) ? weight : 1.0 / (n * static_cast<double>(count));
 }
 
-std::pmr::vector<float> blurredLuminance(std::pmr::memory_resource* memory, const Film& film) {
+std::pmr::vector<float> expectedLuminance(std::pmr::memory_resource* memory, const Film& film) {
   std::pmr::vector<float> image(memory);
   if (film.samples() == 0) return image;
   image.resize(std::size_t{film.width()} * film.height());
   for (std::size_t i = 0; i < image.size(); ++i) image[i] = luminance(film.mean(i));
-  return blurred(image, film.width(), film.height());
+  image = blurred(image, film.width(), film.height());
+  const auto least = static_cast<float>(kLeastExpected * usualMean(image));
+  for (float& luminance : image) luminance = std::max(luminance, least);
+  return image;
 }
 
 }  // namespace awd

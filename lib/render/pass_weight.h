@@ -15,7 +15,10 @@ namespace awd {
 /// for the number of its samples.
 double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint64_t samples);
 
-/// The luminance of the film, averaged over 5 x 5 pixels; empty while there are no samples.
-std::pmr::vector<float> blurredLuminance(std::pmr::memory_resource* memory, const Film& film);
+/// The luminance that pixels may be expected to have: that of the film, averaged over 5 x 5 pixels,
+/// and nowhere less than a fifth of the image's mean (without its brightest hundredth): after few
+/// samples most pixels have not yet met the light that will make most of their radiance. Empty
+/// while there are no samples.
+std::pmr::vector<float> expectedLuminance(std::pmr::memory_resource* memory, const Film& film);
 
 }  // namespace awd

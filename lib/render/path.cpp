@@ -21,7 +21,7 @@ constexpr std::size_t kLongPath = 64;
 constexpr float kLongPathChance = 0.95f;
 /// Roulette by what is to come: survivors carry about 1 / kAdjointFactor of what the pixel is
 /// expected to have, and one in 1 / kLeastChance goes on in any case.
-constexpr float kAdjointFactor = 2.0f;
+constexpr float kAdjointFactor = 3.0f;
 constexpr float kLeastChance = 0.1f;
 
 }  // namespace

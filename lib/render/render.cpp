@@ -126,7 +126,7 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   const Stopwatch watch;
   PassFilm pass(context_->memory(), film_.width(), film_.height());
   if (settings_.roulette == AWD_ROULETTE_ADJOINT) {
-    expected_ = blurredLuminance(context_->memory(), film_);
+    expected_ = expectedLuminance(context_->memory(), film_);
   }
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();
