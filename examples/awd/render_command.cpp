@@ -53,6 +53,7 @@ Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camer
   desc.preset = options.presetValue();
   desc.guide = options.guideValue();
   desc.shadowRays = options.shadowRays;
+  desc.points = options.pointsValue();
   desc.seed = options.seed;
   Render render;
   check(awdNewRender(scene.get(), field.get(), &desc, render.out()));

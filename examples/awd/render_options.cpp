@@ -59,6 +59,9 @@ void RenderOptions::describe(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
   command.add_option("--threads", device.threads, "0: all that there are")
       ->check(CLI::Range(0, 65536));
+  command.add_option("--points", points, "What paths are drawn from")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"default", "random", "sobol"}));
   command.add_option("--shadow-rays", shadowRays, "Per light and vertex")
       ->check(CLI::Range(1, 1024));
   command.add_option("--json", json, "Write statistics of each pass and of all to this file");
@@ -97,6 +100,11 @@ AWDGuide RenderOptions::guideValue() const {
 
 AWDPreset RenderOptions::presetValue() const {
   return preset == "paper" ? AWD_PRESET_PAPER : AWD_PRESET_DEFAULT;
+}
+
+AWDPoints RenderOptions::pointsValue() const {
+  if (points == "random") return AWD_POINTS_RANDOM;
+  return points == "sobol" ? AWD_POINTS_SOBOL : AWD_POINTS_DEFAULT;
 }
 
 AWDEstimator RenderOptions::estimatorValue() const {

@@ -19,6 +19,7 @@ struct RenderOptions {
   std::optional<uint32_t> width, height, level, passes, samples;
   std::optional<double> seconds;
   std::string guide = "adaptive", preset = "default", estimator = "default";
+  std::string points = "default";
   uint64_t seed = 0;
   uint32_t shadowRays = 0;  // 0: the preset's
   std::vector<std::string> pdfTexts;
@@ -36,6 +37,7 @@ struct RenderOptions {
   AWDGuide guideValue() const;
   AWDPreset presetValue() const;
   AWDEstimator estimatorValue() const;
+  AWDPoints pointsValue() const;
 };
 
 }  // namespace command

@@ -77,6 +77,18 @@ enum {
   AWD_ROULETTE_ADJOINT = 3
 };
 
+/* What paths are drawn from. */
+typedef int32_t AWDPoints;
+enum {
+  AWD_POINTS_DEFAULT = 0, /* sobol; random in the preset paper */
+  AWD_POINTS_RANDOM = 1,  /* independent numbers */
+  /* Sobol's sequence with Owen's scrambling, over all samples of a pixel: its point, and at the
+     first two vertices light, point on the light, and direction through the density's inverse CDF,
+     which is monotone and so keeps strata. Every sample by itself is uniform; the film's variance,
+     that of independent samples, is then larger than the truth. */
+  AWD_POINTS_SOBOL = 2
+};
+
 typedef struct AWDRenderDesc {
   size_t structSize;
   const AWDCamera* camera; /* copied; required */
@@ -90,14 +102,15 @@ typedef struct AWDRenderDesc {
   uint32_t maxLights;
   uint64_t seed;
   AWDCombination combination; /* count or inverse variance */
+  AWDPoints points;
 } AWDRenderDesc;
 
 #ifdef __cplusplus
 #define AWD_RENDER_DESC_INIT                                                                       \
-  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u, 0 }
+  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0 }
 #else
 #define AWD_RENDER_DESC_INIT                                                                       \
-  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u, 0 }
+  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0 }
 #endif
 
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "util/error.h"
@@ -36,6 +37,7 @@ PathSettings settle(const AWDRenderDesc& desc) {
   check(desc.guide, AWD_GUIDE_UNIFORM, "guide");
   check(desc.direct, AWD_DIRECT_WEIGHTED, "direct");
   check(desc.roulette, AWD_ROULETTE_ADJOINT, "roulette");
+  check(desc.points, AWD_POINTS_SOBOL, "points");
   if (desc.shadowRays > kMostShadowRays) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->shadowRays is %u: at most %u are allowed",
          desc.shadowRays, kMostShadowRays);
@@ -58,6 +60,7 @@ PathSettings settle(const AWDRenderDesc& desc) {
                                                                    : AWD_ROULETTE_ALBEDO;
   settings.shadowRays = desc.shadowRays ? desc.shadowRays : paper ? kPaperShadowRays : 1;
   settings.maxLights = desc.maxLights ? desc.maxLights : paper ? kPaperMaxLights : kMaxLights;
+  settings.sobol = desc.points ? desc.points == AWD_POINTS_SOBOL : !paper;
   return settings;
 }
 
@@ -74,7 +77,7 @@ PathTracer::PathTracer(std::pmr::memory_resource* memory, const Geometry& geomet
   }
 }
 
-Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random, float expected) {
+Rgb PathTracer::trace(Vec3f origin, Vec3f direction, PathPoints& points, float expected) {
   path_.clear();
   Rgb throughput = {1.0f, 1.0f, 1.0f};
   for (;;) {
@@ -114,11 +117,12 @@ Rgb PathTracer::trace(Vec3f origin, Vec3f direction, RandomStream& random, float
       patch = field_->view(vertex.patch);
       Field::prefetch(patch);
     }
-    vertex.direct = directLight(surface, random);
+    const SobolPoint choices = points.choices(path_.size());
+    vertex.direct = directLight(surface, choices.x, points);
 
     const float chance = chanceToGoOn(path_.size(), throughput, material.albedo, patch, expected);
-    if (!(random.next() < chance)) break;  // nor on a chance that is NaN
-    const Indirect indirect = chooseDirection(surface, patch, random);
+    if (!(choices.y < chance)) break;  // nor on a chance that is NaN
+    const Indirect indirect = chooseDirection(surface, patch, points);
     vertex.sample = indirect.sample;
     vertex.cosine = indirect.cosine;
     vertex.weight = material.albedo * (indirect.weight / chance);
@@ -163,9 +167,9 @@ float PathTracer::chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo,
 }
 
 PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const PatchView& patch,
-                                                 RandomStream& random) const {
-  double uniforms[3];
-  for (double& u : uniforms) u = random.next();
+                                                 PathPoints& points) const {
+  const SobolPoint point = points.direction(path_.size());
+  const double uniforms[3] = {point.x, point.y, points.next()};
   Indirect indirect = {};
   if (field_) {
     indirect.sample = field_->sample(patch, surface.normal, uniforms);
@@ -191,28 +195,30 @@ PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const P
   return indirect;
 }
 
-Rgb PathTracer::directLight(const Surface& surface, RandomStream& random) {
+Rgb PathTracer::directLight(const Surface& surface, double choice, PathPoints& points) {
   const Lights& lights = geometry_.lights();
   const uint32_t rays = settings_.shadowRays;
   const uint32_t gridRows = rays / gridColumns_;
   Rgb sum;
-  const auto jittered = [&](const Light& light, uint32_t i, float choice) {
+  const auto jittered = [&](const Light& light, uint32_t i) {
     const uint32_t column = i % gridColumns_;
     const uint32_t row = i / gridColumns_;
-    const double u = (column + random.next()) / gridColumns_;
-    const double v = (row + random.next()) / gridRows;
-    sum += oneShadowRay(surface, light, choice, u, v);
+    const double u = (column + points.next()) / gridColumns_;
+    const double v = (row + points.next()) / gridRows;
+    sum += oneShadowRay(surface, light, 1.0f, u, v);
   };
   if (chooseByPower_) {
     for (uint32_t i = 0; i < rays; ++i) {
-      const Light& light = lights[lights.choose((i + random.next()) / rays)];
-      const double u = random.next();
-      const double v = random.next();
-      sum += oneShadowRay(surface, light, light.choice, u, v);
+      const Light& light = lights[lights.choose((i + (i > 0 ? points.next() : choice)) / rays)];
+      const SobolPoint at = points.light(i > 0 ? SIZE_MAX : path_.size());
+      sum += oneShadowRay(surface, light, light.choice, at.x, at.y);
     }
+  } else if (rays == 1 && lights.size() == 1) {
+    const SobolPoint at = points.light(path_.size());
+    sum = oneShadowRay(surface, lights[0], 1.0f, at.x, at.y);
   } else {
     for (uint32_t l = 0; l < lights.size(); ++l) {
-      for (uint32_t i = 0; i < rays; ++i) jittered(lights[l], i, 1.0f);
+      for (uint32_t i = 0; i < rays; ++i) jittered(lights[l], i);
     }
   }
   return surface.albedo * sum * (1.0f / static_cast<float>(rays));

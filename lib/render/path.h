@@ -8,7 +8,7 @@
 #include "awd/render.h"
 #include "guide/field.h"
 #include "render/geometry.h"
-#include "util/random.h"
+#include "render/path_points.h"
 
 namespace awd {
 
@@ -19,6 +19,7 @@ struct PathSettings {
   AWDRoulette roulette = AWD_ROULETTE_ALBEDO;
   uint32_t shadowRays = 1;
   uint32_t maxLights = 1;
+  bool sobol = true;
 };
 
 /// Settles what `desc` leaves open; AWD_ERROR_INVALID_ARGUMENT for values that are none.
@@ -34,7 +35,7 @@ class PathTracer {
   /// Radiance arriving at `origin` from `direction`, one sample. NaN or infinite only if the
   /// scene's own radiance leaves the range of floats. expected: luminance that the pixel is
   /// expected to have, 0: not known; roulette alone goes by it.
-  Rgb trace(Vec3f origin, Vec3f direction, RandomStream& random, float expected = 0.0f);
+  Rgb trace(Vec3f origin, Vec3f direction, PathPoints& points, float expected = 0.0f);
 
   uint64_t rays() const { return rays_; }
   uint64_t shadowRays() const { return shadowRays_; }
@@ -64,10 +65,10 @@ class PathTracer {
   };
 
   Indirect chooseDirection(const Surface& surface, const PatchView& patch,
-                           RandomStream& random) const;
+                           PathPoints& points) const;
   float chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo, const PatchView& patch,
                      float expected) const;
-  Rgb directLight(const Surface& surface, RandomStream& random);
+  Rgb directLight(const Surface& surface, double choice, PathPoints& points);
   Rgb oneShadowRay(const Surface& surface, const Light& light, float choice, double u, double v);
   /// Share of a light's radiance that an indirect ray may count (balance heuristic).
   float emitterWeight(const Light& light, float distance, float cosineAtLight,

@@ -101,11 +101,12 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
     for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {
       const uint64_t number = uint64_t{y} * film.width + x;
       for (uint32_t s = 0; s < samplesPerPixel; ++s) {
-        RandomStream random(seed_, statistics_.size(), number, s);
-        const double u = x + random.next();
-        const double v = y + random.next();
+        PathPoints points(seed_, statistics_.size(), number, s, settings_.sobol,
+                          static_cast<uint32_t>(film_.samples() + s));
+        const SobolPoint at = points.pixel();
+        const Vec3f direction = camera_.direction(x + at.x, y + at.y);
         const float expected = expected_.empty() ? 0.0f : expected_[number];
-        const Rgb radiance = tracer.trace(camera_.eye(), camera_.direction(u, v), random, expected);
+        const Rgb radiance = tracer.trace(camera_.eye(), direction, points, expected);
         if (isRadiance(radiance)) {
           film.pixel(x, y).add(radiance);
         } else {

@@ -37,10 +37,10 @@ TEST(PathTracer, SeesALampAsItIs) {
   const Ref<Scene> scene = sceneOf(floorAndLamp());
   const Geometry& g = scene->geometry();
   PathTracer tracer(std::pmr::get_default_resource(), g, nullptr, PathSettings());
-  RandomStream random(1, 0, 0, 0);
-  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 0.5f}), {0, 0, 1}, random), (Rgb{10, 10, 10}));
-  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 2.0f}), {0, 0, -1}, random), Rgb()) << "its back";
-  EXPECT_EQ(tracer.trace(g.toFrame({5, 5, 5}), {0, 0, 1}, random), Rgb()) << "nothing there";
+  PathPoints points(1, 0, 0, 0, false, 0);
+  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 0.5f}), {0, 0, 1}, points), (Rgb{10, 10, 10}));
+  EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 2.0f}), {0, 0, -1}, points), Rgb()) << "its back";
+  EXPECT_EQ(tracer.trace(g.toFrame({5, 5, 5}), {0, 0, 1}, points), Rgb()) << "nothing there";
   EXPECT_EQ(tracer.shadowRays(), 0u);
 }
 
@@ -59,8 +59,8 @@ TEST(PathTracer, WeightsAddUpToOne) {
     double sum = 0.0, squares = 0.0;
     constexpr int kPaths = 40000;
     for (int s = 0; s < kPaths; ++s) {
-      RandomStream random(2, i, 0, s);
-      const double x = tracer.trace(g.toFrame({0.3f, 0.2f, 0.5f}), {0, 0, -1}, random).x;
+      PathPoints points(2, i, 0, s, false, 0);
+      const double x = tracer.trace(g.toFrame({0.3f, 0.2f, 0.5f}), {0, 0, -1}, points).x;
       sum += x;
       squares += x * x;
     }

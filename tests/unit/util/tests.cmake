@@ -10,4 +10,5 @@ awd_unit_test(util
   random_test.cpp
   ref_test.cpp
   small_matrix_test.cpp
+  sobol_test.cpp
   vec_test.cpp)
