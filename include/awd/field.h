@@ -62,7 +62,8 @@ typedef struct AWDFieldDesc {
   AWDPatches patches;
   float lower[3]; /* box of the positions of spatial patches, in the host's units; a render sets */
   float upper[3]; /* that of its scene in a field of its own. Both 0: no box */
-  /* A spatial patch that has had more samples is split; 0: 2000. */
+  /* A spatial patch that has had more samples is split; 0: 2000. Times sqrt(n / 2048) if there are
+     n > 2048 patches, since memory out of reach of the caches costs more than detail brings. */
   uint32_t patchSamples;
   /* Share of the map's constant density, which with the cosine maps is cosine sampling, in every
      learned density; it grows where samples are few. 0: 0.1 for the estimator lumped, else none;

@@ -101,7 +101,7 @@ typedef struct AWDRenderDesc {
      preset paper 8. */
   uint32_t maxLights;
   uint64_t seed;
-  AWDCombination combination; /* count or inverse variance */
+  AWDCombination combination; /* count or experience */
   AWDPoints points;
 } AWDRenderDesc;
 

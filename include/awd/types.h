@@ -137,16 +137,17 @@ enum {
 /* How passes make one result. */
 typedef int32_t AWDCombination;
 enum {
-  AWD_COMBINE_DEFAULT = 0, /* count; of an adaptive render, but for the preset paper, by variance */
+  AWD_COMBINE_DEFAULT = 0, /* count; of an adaptive render, but for the preset paper, experience */
   AWD_COMBINE_COUNT = 1,   /* every sample counts the same, as in the paper: unbiased */
   /* Of a density's estimates of int f: by m_k / V_k, V_k the variance of pass k as the last pass's
      samples see it (consistent, smaller error, a slight bias): V_k = mean of f^2 / (p_k p_last) -
      mean^2, at least 1e-3 mean^2. Keeps the densities of the last 16 passes. */
   AWD_COMBINE_CROSS_VARIANCE = 2,
-  /* Of a render: a sample counts for the inverse of the relative variance of samples in its pass,
-     one number of all pixels together, since a pixel's own variance goes with its mean; as count
-     in images of fewer than 1024 pixels. */
-  AWD_COMBINE_INVERSE_VARIANCE = 3
+  /* Of a render: a sample counts for (s + 2) / (s + 8), s the samples per pixel before its pass:
+     less while little has been learned. The same for all if the field had learned before. Known in
+     advance, and so unbiased, which weights by the passes' own variance are not; those also
+     count a pass for more the rarer it has met the light. */
+  AWD_COMBINE_EXPERIENCE = 3
 };
 
 /* How a refit ended. */

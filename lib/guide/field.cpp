@@ -223,12 +223,20 @@ std::pmr::vector<Field::Successor> Field::learnAll() {
   return successors;
 }
 
+double Field::patchSamples(uint32_t leaves) const {
+  // From here on patches grow as well as their number, each by the square root of the samples'
+  // growth or so: beyond the caches of a processor more of them cost more than they bring.
+  constexpr double kManyLeaves = 2048.0;
+  return settings_.patchSamples * std::sqrt(std::max(1.0, leaves / kManyLeaves));
+}
+
 std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
                                                   std::pmr::vector<Successor>& successors,
                                                   uint64_t& capped) const {
   std::pmr::memory_resource* memory = context_->memory();
   std::pmr::vector<Newcomer> newcomers(memory);
   std::pmr::vector<Part> parts(memory);
+  const double mostSamples = patchSamples(tree.leaves());
   // Without the table, whose nodes also tell of passes that were given up.
   uint64_t bytes = statistics().bytes - table_.bytes();
   for (Successor& next : successors) {
@@ -240,7 +248,7 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
     while (!parts.empty()) {
       Part part = parts.back();
       parts.pop_back();
-      const bool large = part.weight > settings_.patchSamples && part.eighths > 1;
+      const bool large = part.weight > mostSamples && part.eighths > 1;
       if (!large || !tree.canSplit(part.leaf)) {
         // Counts begin anew in a leaf that is a part of the former one: its eighths are smaller.
         if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};

@@ -135,6 +135,8 @@ class Field final : public RefCounted {
 
   Successor succeed(uint32_t key, Patch& patch, const Refitter& refitter) const;
   std::pmr::vector<Successor> learnAll();
+  /// At how many samples a leaf is split, when there are so many leaves.
+  double patchSamples(uint32_t leaves) const;
   /// Splits leaves of many samples in `tree`; patches for those halves that have had any.
   /// capped: how many more would have been, but for the memory allowed.
   std::pmr::vector<Newcomer> splitAll(SpatialTree& tree, std::pmr::vector<Successor>& successors,

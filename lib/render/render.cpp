@@ -5,7 +5,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "render/pass_weight.h"
+#include "render/expected_luminance.h"
 #include "render/schedule.h"
 #include "util/error.h"
 
@@ -15,9 +15,6 @@ namespace {
 
 /// Side of the square of pixels that one thread renders at a time.
 constexpr uint32_t kTile = 16;
-
-/// In fewer pixels a pass's variance goes with its mean so far that weights would make a bias.
-constexpr std::size_t kLeastPixels = 1024;
 
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
@@ -41,15 +38,15 @@ bool isRadiance(Rgb c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z
 
 AWDCombination combinationOf(const AWDRenderDesc& desc) {
   if (desc.combination != AWD_COMBINE_DEFAULT && desc.combination != AWD_COMBINE_COUNT &&
-      desc.combination != AWD_COMBINE_INVERSE_VARIANCE) {
+      desc.combination != AWD_COMBINE_EXPERIENCE) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "desc->combination is %d: renders know AWD_COMBINE_COUNT and "
-         "AWD_COMBINE_INVERSE_VARIANCE",
+         "AWD_COMBINE_EXPERIENCE",
          desc.combination);
   }
   if (desc.combination) return desc.combination;
   return desc.guide == AWD_GUIDE_ADAPTIVE && desc.preset != AWD_PRESET_PAPER
-             ? AWD_COMBINE_INVERSE_VARIANCE
+             ? AWD_COMBINE_EXPERIENCE
              : AWD_COMBINE_COUNT;
 }
 
@@ -80,6 +77,7 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
       expected_(context_->memory()),
       statistics_(context_->memory()) {
   if (field_) {
+    experienced_ = field_->statistics().patches > 0;
     const double brightest = geometry_->lights().brightest();
     if (brightest > 0.0 && std::isfinite(brightest)) field_->setScale(brightest);
   }
@@ -120,6 +118,12 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
   counters.rejected += rejected;
 }
 
+double Render::weightOfNext() const {
+  if (combination_ == AWD_COMBINE_COUNT || experienced_) return 1.0;
+  const auto before = static_cast<double>(film_.samples());
+  return (before + 2.0) / (before + 8.0);
+}
+
 AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   if (samplesPerPixel == 0) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
@@ -132,7 +136,6 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();
   Counters counters;
-  double weight = 1.0;
   try {
     const uint32_t tiles = tilesAlong(film_.width()) * tilesAlong(film_.height());
     Progress progress(*context_, "pass", this, tiles);
@@ -142,14 +145,11 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
       progress.step();
     });
     progress.throwIfCancelled();
-    if (combination_ == AWD_COMBINE_INVERSE_VARIANCE && pass.pixels.size() >= kLeastPixels) {
-      weight = passWeight(context_->memory(), pass, samplesPerPixel);
-    }
   } catch (...) {
     if (field_) field_->revert();
     throw;
   }
-  film_.merge(pass, samplesPerPixel, weight);
+  film_.merge(pass, samplesPerPixel, weightOfNext());
 
   AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
   figures.samplesPerPixel = samplesPerPixel;

@@ -39,6 +39,8 @@ class Render final : public RefCounted {
   void passesFor(double seconds, uint32_t mostSamples);
   void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, Counters& counters);
   void adapt();
+  /// What a sample of the next pass counts for.
+  double weightOfNext() const;
 
   Ref<Context> context_;
   Ref<Geometry> geometry_;
@@ -48,6 +50,7 @@ class Render final : public RefCounted {
   uint64_t seed_;
   Camera camera_;
   AWDCombination combination_;
+  bool experienced_ = false;  ///< the field had learned before
   Film film_;
   std::pmr::vector<float> expected_;  ///< luminance of pixels before the pass at hand, for roulette
   std::pmr::vector<AWDPassStatistics> statistics_;

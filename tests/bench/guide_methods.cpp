@@ -68,6 +68,13 @@ const std::vector<Method>& methods() {
        [](Settings& with) { with.render.roulette = AWD_ROULETTE_ALBEDO; }},
       {"roulette-throughput", "adaptive, paths live by throughput times albedo",
        [](Settings& with) { with.render.roulette = AWD_ROULETTE_THROUGHPUT; }},
+      {"random-points", "adaptive, paths from independent numbers",
+       [](Settings& with) { with.render.points = AWD_POINTS_RANDOM; }},
+      {"cosine-random-points", "cosine, paths from independent numbers",
+       [](Settings& with) {
+         with.render.guide = AWD_GUIDE_COSINE;
+         with.render.points = AWD_POINTS_RANDOM;
+       }},
       {"by-count", "adaptive, every sample counts the same in the image",
        [](Settings& with) { with.render.combination = AWD_COMBINE_COUNT; }},
   };

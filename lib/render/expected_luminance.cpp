@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/pass_weight.h"
+#include "render/expected_luminance.h"
 
 #include <algorithm>
 #include <numeric>
@@ -30,51 +30,15 @@ std::pmr::vector<float> blurred(const std::pmr::vector<float>& image, uint32_t w
   return result;
 }
 
-/// Pixels without the hundredth part where something is largest.
-std::ptrdiff_t usualCount(std::size_t pixels) {
-  return static_cast<std::ptrdiff_t>(pixels - pixels / 100);
-}
-
-/// The mean of those pixels.
+/// The mean over the pixels without the brightest hundredth.
 double usualMean(const std::pmr::vector<float>& image) {
-  const std::ptrdiff_t most = usualCount(image.size());
+  const auto most = static_cast<std::ptrdiff_t>(image.size() - image.size() / 100);
   std::pmr::vector<float> usual(image, image.get_allocator());
   std::nth_element(usual.begin(), usual.begin() + (most - 1), usual.end());
   return std::accumulate(usual.begin(), usual.begin() + most, 0.0) / static_cast<double>(most);
 }
 
 }  // namespace
-
-double passWeight(std::pmr::memory_resource* memory, const PassFilm& pass, uint64_t samples) {
-  const auto n = static_cast<double>(samples);
-  const std::size_t count = pass.pixels.size();
-  std::pmr::vector<float> means(count, memory);
-  std::pmr::vector<double> terms(count, memory);
-  const auto weighed = [](Vec3d c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; };
-  for (std::size_t i = 0; i < count; ++i) {
-    const PixelSums& pixel = pass.pixels[i];
-    means[i] = static_cast<float>(weighed(pixel.sum) / n);
-    const Vec3d mean = pixel.sum * (1.0 / n);
-    terms[i] = samples > 1 ? weighed(pixel.squares - mean * pixel.sum) / (n - 1.0) : 0.0;
-  }
-  if (samples == 1) {
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      const double difference = static_cast<double>(means[i + 1]) - means[i];
-      terms[i] = 0.5 * difference * difference;
-    }
-  }
-  const std::pmr::vector<float> local = blurred(means, pass.width, pass.height);
-  const double image = usualMean(local);
-  for (std::size_t i = 0; i < count; ++i) {
-    terms[i] /= static_cast<double>(local[i]) * local[i] + 0.01 * image * image;
-  }
-  const auto kept = terms.begin() + usualCount(count);
-  std::nth_element(terms.begin(), kept - 1, terms.end());
-  const double sum = std::accumulate(terms.begin(), kept, 0.0);
-  const double weight = static_cast<double>(kept - terms.begin()) / sum;
-  // Nothing but black, or nearly: light is rarer than one of all these samples.
-  return weight > 0.0 && std::isfinite(weight) ? weight : 1.0 / (n * static_cast<double>(count));
-}
 
 std::pmr::vector<float> expectedLuminance(std::pmr::memory_resource* memory, const Film& film) {
   std::pmr::vector<float> image(memory);
