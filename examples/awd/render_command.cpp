@@ -54,6 +54,7 @@ Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camer
   desc.guide = options.guideValue();
   desc.shadowRays = options.shadowRays;
   desc.points = options.pointsValue();
+  desc.maxBytes = static_cast<uint64_t>(options.memory.value_or(0.0) * 1048576.0);
   desc.seed = options.seed;
   Render render;
   check(awdNewRender(scene.get(), field.get(), &desc, render.out()));
@@ -75,6 +76,7 @@ AWDResult renderPasses(const Render& render, const Schedule& schedule) {
   }
   desc.totalSamples = schedule.totalSamples;
   desc.seconds = schedule.seconds;
+  desc.error = schedule.error;
   return awdRenderPasses(render.get(), &desc);
 }
 

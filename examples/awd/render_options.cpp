@@ -54,6 +54,13 @@ void RenderOptions::describe(CLI::App& command) {
       .add_option("--seconds", seconds,
                   "As many samples as there is time for, divided by the library")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--error", error,
+                  "As many samples as it takes until the root mean square error is at\n"
+                  "most this share of the mean radiance, 95 times of 100")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--memory", memory, "MiB that film and field may take together")
+      ->check(CLI::PositiveNumber);
   command.add_option("--seed", seed, "Another seed, another noise")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
@@ -79,11 +86,13 @@ void RenderOptions::describe(CLI::App& command) {
 
 void RenderOptions::finish() {
   schedule = makeSchedule(passes, spp, samples);
-  if (seconds && (spp || passes)) {
-    throw UsageError("--seconds divides the time into passes by itself: it can't be used with " +
+  if ((seconds || error) && (spp || passes)) {
+    throw UsageError(std::string(seconds ? "--seconds" : "--error") +
+                     " divides into passes by itself: it can't be used with " +
                      std::string(spp ? "--spp" : "--passes"));
   }
   schedule.seconds = seconds.value_or(0.0);
+  schedule.error = error.value_or(0.0);
   for (const std::string& text : pdfTexts) pdfs.emplace_back(text);
   if (!pdfs.empty() && !isAdaptive()) {
     throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);

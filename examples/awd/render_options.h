@@ -17,7 +17,7 @@ struct RenderOptions {
   std::string scene, output;
   std::optional<std::string> camera, json, basis, spp, refitSolver;
   std::optional<uint32_t> width, height, level, passes, samples;
-  std::optional<double> seconds;
+  std::optional<double> seconds, error, memory;
   std::string guide = "adaptive", preset = "default", estimator = "default";
   std::string points = "default";
   uint64_t seed = 0;

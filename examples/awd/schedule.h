@@ -14,6 +14,7 @@ struct Schedule {
   std::vector<uint32_t> samplesPerPass;
   uint32_t totalSamples = 0;
   double seconds = 0.0;  ///< 0: no limit
+  double error = 0.0;    ///< likewise
 };
 
 /// spp: "N1,...,NK"; a single number holds for all passes. Throws a UsageError if the options

@@ -30,7 +30,12 @@ json renderStatistics(const Render& render) {
     passes.push_back(toJson(statistics));
   }
   check(awdGetRenderStatistics(render.get(), &statistics));
-  return {{"passes", passes}, {"total", toJson(statistics)}};
+  json all = {{"passes", passes}, {"total", toJson(statistics)}};
+  if (statistics.samplesPerPixel < 2) return all;
+  AWDRenderError error = AWD_RENDER_ERROR_INIT;
+  check(awdGetRenderError(render.get(), &error));
+  all["error"] = {{"relative", error.error}, {"lower", error.lower}, {"upper", error.upper}};
+  return all;
 }
 
 json refitStatistics(const Field& field) {

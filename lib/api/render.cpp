@@ -152,6 +152,14 @@ AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, uint32_t* h
   });
 }
 
+AWDResult AWD_CALL awdGetRenderError(AWDRender render, AWDRenderError* error) noexcept {
+  return guard(__func__, [&] {
+    const FilmError known = object(render, "render").error();
+    writeStruct(error, {sizeof(AWDRenderError), known.error, known.lower, known.upper}, "error",
+                "AWD_RENDER_ERROR_INIT");
+  });
+}
+
 AWDResult AWD_CALL awdGetPixelPatch(AWDRender render, uint32_t x, uint32_t y,
                                     uint32_t* patch) noexcept {
   return guard(__func__,

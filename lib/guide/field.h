@@ -88,6 +88,8 @@ class Field final : public RefCounted {
   Vec3d recordPath(const AWDPathVertex* vertices, std::size_t count, Vec3d background);
 
   void setScale(double magnitude);
+  /// No patch is split beyond these bytes, nor beyond those of the settings.
+  void limitBytes(uint64_t most) { settings_.maxBytes = std::min(settings_.maxBytes, most); }
   AWDFieldStatistics adapt();
   AWDFieldStatistics statistics() const;
   /// What has been recorded so far is kept apart, so that revert() can drop what comes after.

@@ -14,12 +14,20 @@ namespace awd {
 /// The samples of a pixel in one pass.
 struct PixelSums {
   Vec3d sum, squares;
+  Vec3d evens;  ///< sum over the samples of even number
 
-  void add(Rgb radiance) {
+  void add(Rgb radiance, bool even) {
     const Vec3d value = convert<double>(radiance);
     sum += value;
     squares += value * value;
+    if (even) evens += value;
   }
+};
+
+/// How far an image is from the truth: sqrt(mean (x - truth)^2) / mean x, over all pixels and
+/// channels, and an interval that holds it 95 times of 100.
+struct FilmError {
+  double error, lower, upper;
 };
 
 /// The image of one pass.
@@ -27,6 +35,8 @@ struct PassFilm {
   PassFilm(std::pmr::memory_resource* memory, uint32_t columns, uint32_t rows)
       : width(columns), height(rows), pixels(std::size_t{columns} * rows, memory) {}
   PixelSums& pixel(uint32_t x, uint32_t y) { return pixels[std::size_t{y} * width + x]; }
+
+  static std::size_t bytesFor(std::size_t pixels) { return pixels * sizeof(PixelSums); }
 
   uint32_t width, height;
   std::pmr::vector<PixelSums> pixels;
@@ -41,25 +51,30 @@ class Film {
   uint32_t height() const { return height_; }
   uint64_t samples() const { return samples_; }  ///< per pixel
 
-  /// Adds a pass of that many samples per pixel, each of which counts for `weight` > 0.
+  /// Adds a pass of that many samples per pixel, each of which counts for `weight` > 0. Samples are
+  /// numbered on from those before: the first has the number samples().
   void merge(const PassFilm& pass, uint64_t samples, double weight);
 
   /// Mean radiance sum w x / sum w, and the estimated variance of that mean,
   /// sum w^2 (x - mean)^2 / (sum w)^2 made unbiased for equal variances; 0 below 2 samples.
   Rgb mean(std::size_t pixel) const;
   Rgb variance(std::size_t pixel) const;
+  /// From at least 2 samples per pixel; those of even and of odd number must be independent.
+  FilmError error() const;
   std::size_t bytes() const { return pixels_.capacity() * sizeof(Pixel); }
 
  private:
   struct Pixel {
     Vec3d weighted;      ///< sum w x
     Vec3d sum, squares;  ///< sum w^2 x, sum w^2 x^2
+    Vec3d evens;         ///< sum w x over the samples of even number
   };
 
   uint32_t width_, height_;
   uint64_t samples_ = 0;
   double weights_ = 0.0;         ///< sum w
   double squaredWeights_ = 0.0;  ///< sum w^2
+  double evenWeights_ = 0.0;     ///< sum w over the samples of even number
   std::pmr::vector<Pixel> pixels_;
 };
 

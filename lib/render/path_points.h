@@ -11,11 +11,12 @@ namespace awd {
 class PathPoints {
  public:
   /// Pairs are stratified if `sobol`; index: of the sample among all of its pixel, in every pass.
+  /// Those of even and those of odd index are independent sequences.
   PathPoints(uint64_t seed, uint64_t pass, uint64_t pixel, uint64_t sample, bool sobol,
              uint32_t index)
       : independent_(seed, pass, pixel, sample),
-        key_(mixBits(mixBits(seed + kPixel) ^ mixBits(pixel + 2 * kPixel))),
-        index_(index),
+        key_(mixBits(mixBits(seed + kPixel) ^ mixBits(2 * pixel + index % 2 + 2 * kPixel))),
+        index_(index / 2),
         sobol_(sobol) {}
 
   double next() { return independent_.next(); }

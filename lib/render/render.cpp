@@ -76,6 +76,17 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
       film_(context_->memory(), camera_.width(), camera_.height()),
       expected_(context_->memory()),
       statistics_(context_->memory()) {
+  if (desc.maxBytes > 0) {
+    const std::size_t pixels = std::size_t{camera_.width()} * camera_.height();
+    const uint64_t film = film_.bytes() + PassFilm::bytesFor(pixels);
+    if (film > desc.maxBytes) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "desc->maxBytes is %llu: an image of %u x %u takes %llu bytes by itself",
+           static_cast<unsigned long long>(desc.maxBytes), camera_.width(), camera_.height(),
+           static_cast<unsigned long long>(film));
+    }
+    if (field_) field_->limitBytes(desc.maxBytes - film);
+  }
   if (field_) {
     experienced_ = field_->statistics().patches > 0;
     const double brightest = geometry_->lights().brightest();
@@ -99,14 +110,14 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
     for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {
       const uint64_t number = uint64_t{y} * film.width + x;
       for (uint32_t s = 0; s < samplesPerPixel; ++s) {
-        PathPoints points(seed_, statistics_.size(), number, s, settings_.sobol,
-                          static_cast<uint32_t>(film_.samples() + s));
+        const auto index = static_cast<uint32_t>(film_.samples() + s);
+        PathPoints points(seed_, statistics_.size(), number, s, settings_.sobol, index);
         const SobolPoint at = points.pixel();
         const Vec3f direction = camera_.direction(x + at.x, y + at.y);
         const float expected = expected_.empty() ? 0.0f : expected_[number];
         const Rgb radiance = tracer.trace(camera_.eye(), direction, points, expected);
         if (isRadiance(radiance)) {
-          film.pixel(x, y).add(radiance);
+          film.pixel(x, y).add(radiance, index % 2 == 0);
         } else {
           ++rejected;
         }
@@ -179,15 +190,27 @@ void Render::adapt() {
   figures.wallSeconds += watch.wallSeconds();
 }
 
-void Render::passesFor(double seconds, uint32_t mostSamples) {
+uint32_t Render::samplesToReach(double error) const {
+  if (film_.samples() < 2) return UINT32_MAX;
+  const double now = film_.error().upper;
+  if (now <= error) return 0;
+  // The error goes with the root of the samples at least.
+  const double ratio = now / error;
+  const double more = static_cast<double>(film_.samples()) * (ratio * ratio - 1.0);
+  return more < UINT32_MAX ? std::max(static_cast<uint32_t>(more), 1u) : UINT32_MAX;
+}
+
+void Render::passesWithin(const AWDSchedule& budget) {
   const Stopwatch watch;
   double pace = 0.0;  // seconds a sample per pixel took in the last pass, with its adapt
-  uint32_t left = mostSamples;
+  uint32_t left = budget.totalSamples ? budget.totalSamples : UINT32_MAX;
   for (uint32_t k = 0; left > 0; ++k) {
     const double begun = watch.wallSeconds();
     uint32_t samples = std::min(passSize(k), left);
-    if (k > 0) {
-      const double fits = (seconds - begun) / pace;
+    if (budget.error > 0.0) samples = std::min(samples, samplesToReach(budget.error));
+    if (samples == 0) break;
+    if (k > 0 && budget.seconds > 0.0) {
+      const double fits = (budget.seconds - begun) / pace;
       if (!(fits >= 1.0)) break;
       // A remainder too small for a pass of its own goes along with this one.
       if (fits < 2.0 * samples) samples = static_cast<uint32_t>(std::min<double>(fits, left));
@@ -200,22 +223,35 @@ void Render::passesFor(double seconds, uint32_t mostSamples) {
 }
 
 void Render::passes(const AWDSchedule& schedule) {
-  if (!(schedule.seconds >= 0.0 && std::isfinite(schedule.seconds))) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "schedule->seconds is %g: it must be finite and not negative",
-         schedule.seconds);
-  }
-  if (schedule.seconds > 0.0) {
+  const auto checkBudget = [](double value, const char* name) {
+    if (value >= 0.0 && std::isfinite(value)) return;
+    fail(AWD_ERROR_INVALID_ARGUMENT, "schedule->%s is %g: it must be finite and not negative", name,
+         value);
+  };
+  checkBudget(schedule.seconds, "seconds");
+  checkBudget(schedule.error, "error");
+  if (schedule.seconds > 0.0 || schedule.error > 0.0) {
     if (schedule.samplesPerPass || schedule.passCount > 0) {
       fail(AWD_ERROR_INVALID_ARGUMENT,
-           "schedule has seconds and samplesPerPass: under a limit of time the library divides");
+           "schedule has %s and samplesPerPass: under such a limit the library divides",
+           schedule.seconds > 0.0 ? "seconds" : "error");
     }
-    return passesFor(schedule.seconds, schedule.totalSamples ? schedule.totalSamples : UINT32_MAX);
+    return passesWithin(schedule);
   }
   const auto plan = planPasses(context_->memory(), schedule, preset_, static_cast<bool>(field_));
   for (const uint32_t samples : plan) {
     if (field_ && !statistics_.empty()) adapt();
     pass(samples);
   }
+}
+
+FilmError Render::error() const {
+  if (film_.samples() < 2) {
+    fail(AWD_ERROR_INVALID_OPERATION,
+         "the film has %llu samples per pixel: its error can be told from 2 on",
+         static_cast<unsigned long long>(film_.samples()));
+  }
+  return film_.error();
 }
 
 AWDPassStatistics Render::total() const {

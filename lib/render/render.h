@@ -26,6 +26,7 @@ class Render final : public RefCounted {
   const Ref<Field>& field() const { return field_; }
   const std::pmr::vector<AWDPassStatistics>& statistics() const { return statistics_; }
   AWDPassStatistics total() const;
+  FilmError error() const;
   uint32_t pixelPatch(uint32_t x, uint32_t y) const;
 
   const PathSettings& settings() const { return settings_; }
@@ -36,7 +37,9 @@ class Render final : public RefCounted {
  private:
   void destroy() noexcept override;
   struct Counters;
-  void passesFor(double seconds, uint32_t mostSamples);
+  void passesWithin(const AWDSchedule& budget);
+  /// More samples per pixel, at most, until the film's error is below; 0: it is.
+  uint32_t samplesToReach(double error) const;
   void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, Counters& counters);
   void adapt();
   /// What a sample of the next pass counts for.

@@ -26,6 +26,7 @@ TEST_F(Arguments, NullHandles) {
   AWDPatchInfo patchInfo = AWD_PATCH_INFO_INIT;
   AWDFieldStatistics fieldFigures = AWD_FIELD_STATISTICS_INIT;
   AWDPassStatistics passFigures = AWD_PASS_STATISTICS_INIT;
+  AWDRenderError renderError = AWD_RENDER_ERROR_INIT;
   AWDDirectionSample sample = {};
   must(awdSampleField(field_, 0, up_, uniforms_, &sample));
   uint8_t occluded;
@@ -80,6 +81,7 @@ TEST_F(Arguments, NullHandles) {
       [&] { return awdReadFilm(nullptr, AWD_FILM_RADIANCE, floats_, 0, 0); },
       [&] { return awdGetFilmInfo(nullptr, &id, nullptr, nullptr); },
       [&] { return awdGetPixelPatch(nullptr, 0, 0, &id); },
+      [&] { return awdGetRenderError(nullptr, &renderError); },
       [&] { return awdNewImage(nullptr, 1, 1, &image); },
       [&] { return awdNewFilmImage(nullptr, &image); },
       [&] { return awdNewPatchImage(nullptr, 0, 2, &image); },

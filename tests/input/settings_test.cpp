@@ -177,16 +177,25 @@ TEST_F(Settings, SchedulesWithoutSamples) {
     schedule = AWD_SCHEDULE_INIT;
     schedule.seconds = bad;
     expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"seconds"});
+    schedule = AWD_SCHEDULE_INIT;
+    schedule.error = bad;
+    expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"error"});
   }
+  schedule = AWD_SCHEDULE_INIT;
   schedule.seconds = 1.0;
   schedule.samplesPerPass = passes;
   schedule.passCount = 1;
   expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"seconds", "samplesPerPass"});
+  schedule.seconds = 0.0;
+  schedule.error = 0.1;
+  expectFailure(awdRenderPasses(render_, &schedule), kInvalid, {"error", "samplesPerPass"});
   uint32_t count = 77;
   must(awdGetPassCount(render_, &count));
   EXPECT_EQ(count, 0u) << "a refused schedule runs nothing";
   AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
   expectFailure(awdGetPassStatistics(render_, 0, &figures), kInvalid, {"index", "0"});
+  AWDRenderError error = AWD_RENDER_ERROR_INIT;
+  expectFailure(awdGetRenderError(render_, &error), AWD_ERROR_INVALID_OPERATION, {"0 samples"});
   expectFailure(awdGetPixelPatch(render_, 4, 0, &count), kInvalid, {"(4, 0)", "4 x 4"});
   expectFailure(awdGetPixelPatch(render_, 0, 4, &count), kInvalid, {"(0, 4)", "4 x 4"});
 }

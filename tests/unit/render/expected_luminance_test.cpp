@@ -14,8 +14,8 @@ TEST(ExpectedLuminance, IsTheMeanOfTheNeighbourhoodOrAFifthOfTheImages) {
   Film film(memory, kWidth, kHeight);
   EXPECT_TRUE(expectedLuminance(memory, film).empty());
   PassFilm pass(memory, kWidth, kHeight);
-  pass.pixel(3, 3).add({25, 25, 25});
-  pass.pixel(0, 0).add({9, 9, 9});
+  pass.pixel(3, 3).add({25, 25, 25}, true);
+  pass.pixel(0, 0).add({9, 9, 9}, true);
   film.merge(pass, 1, 2.0);
 
   double blurred[kWidth * kHeight] = {};

@@ -14,8 +14,8 @@ TEST(Film, WeighsPassesByTheirSamples) {
   Film film(std::pmr::get_default_resource(), 2, 1);
   PassFilm one(std::pmr::get_default_resource(), 2, 1);
   PassFilm three(std::pmr::get_default_resource(), 2, 1);
-  one.pixel(0, 0).add({4, 0, 0});
-  for (int i = 0; i < 3; ++i) three.pixel(0, 0).add({8, 1, 0});
+  one.pixel(0, 0).add({4, 0, 0}, true);
+  for (int i = 0; i < 3; ++i) three.pixel(0, 0).add({8, 1, 0}, i == 1);
   film.merge(one, 1, 0.5);
   film.merge(three, 3, 0.5);
   EXPECT_EQ(film.samples(), 4u);
@@ -30,7 +30,7 @@ TEST(Film, HasNoVarianceBelowTwoSamples) {
   Film film(std::pmr::get_default_resource(), 1, 1);
   PassFilm pass(std::pmr::get_default_resource(), 1, 1);
   EXPECT_EQ(film.mean(0), Rgb());
-  pass.pixel(0, 0).add({4, 4, 4});
+  pass.pixel(0, 0).add({4, 4, 4}, true);
   film.merge(pass, 1, 1.0);
   EXPECT_EQ(film.variance(0), Rgb());
 }
@@ -48,7 +48,7 @@ TEST(Film, KnowsTheVarianceOfAWeightedMean) {
     for (uint32_t x = 0; x < kPixels; ++x) {
       for (uint32_t s = 0; s < samples; ++s) {
         const double uniform = std::sqrt(12.0) * (random.next() - 0.5);  // of variance 1
-        result.pixel(x, 0).add({static_cast<float>(10.0 + deviation * uniform), 0, 0});
+        result.pixel(x, 0).add({static_cast<float>(10.0 + deviation * uniform), 0, 0}, s % 2 == 0);
       }
     }
     film.merge(result, samples, 1.0 / (deviation * deviation));
@@ -63,6 +63,13 @@ TEST(Film, KnowsTheVarianceOfAWeightedMean) {
   const double exact = 1.0 / (4.0 / 9.0 + 8.0);
   EXPECT_NEAR(seen / exact, 1.0, 0.05);  // standard error sqrt(2 / 20,000)
   EXPECT_NEAR(said / exact, 1.0, 0.02);
+  // Its error of the image, one of whose three channels is lit, by the two halves of the samples.
+  const FilmError error = film.error();
+  const double truth = std::sqrt(seen / 3.0) / (10.0 / 3.0);
+  EXPECT_NEAR(error.error / truth, 1.0, 0.05);
+  EXPECT_LT(error.lower, truth);
+  EXPECT_GT(error.upper, truth);
+  EXPECT_LT(error.upper / error.lower, 1.05);
 }
 
 }  // namespace
