@@ -27,6 +27,7 @@ using nlohmann::json;
 void checkOutputs(const RenderOptions& options) {
   checkWritable(options.output);
   if (options.json) checkWritable(*options.json);
+  if (options.fieldOut) checkWritable(*options.fieldOut);
   for (const PdfRequest& pdf : options.pdfs) checkWritable(pdf.file());
 }
 
@@ -34,6 +35,10 @@ void checkOutputs(const RenderOptions& options) {
 Field makeField(const Device& device, const RenderOptions& options, const AWDSceneInfo& scene) {
   Field field;
   if (!options.isAdaptive()) return field;
+  if (options.fieldIn) {
+    check(awdReadField(device.get(), options.fieldIn->c_str(), field.out()));
+    return field;
+  }
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   std::copy(scene.lower, scene.lower + 3, desc.lower);
   std::copy(scene.upper, scene.upper + 3, desc.upper);
@@ -133,7 +138,7 @@ int render(RenderOptions& options, const std::string& commandLine) {
   ProgressBar bar;
   bar.setPassCount(options.schedule.samplesPerPass.size());
   const Device device = openDevice(options.device, &bar);
-  // An unknown basis shows before a long load.
+  // An unknown basis, or a damaged field, shows before a long load.
   makeField(device, options, AWD_SCENE_INFO_INIT);
 
   const SceneData data = loadScene(options.scene);
@@ -165,6 +170,10 @@ int render(RenderOptions& options, const std::string& commandLine) {
   writeImage(render, options, commandLine);
   for (const PdfRequest& pdf : options.pdfs) pdf.write(render, field);
   if (options.json) writeStatistics(render, field, camera, options);
+  if (options.fieldOut) {
+    check(awdAdaptField(field.get(), nullptr));
+    check(awdWriteField(field.get(), options.fieldOut->c_str()));
+  }
   return complete ? kDone : kInterrupted;
 }
 

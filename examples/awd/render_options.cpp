@@ -71,6 +71,10 @@ void RenderOptions::describe(CLI::App& command) {
       ->check(CLI::IsMember({"default", "random", "sobol"}));
   command.add_option("--shadow-rays", shadowRays, "Per light and vertex")
       ->check(CLI::Range(1, 1024));
+  command.add_option("--field", fieldIn,
+                     "Begin with what another render of the scene, smaller perhaps, has\n"
+                     "learned, from this file");
+  command.add_option("--save-field", fieldOut, "Write what has been learned to this file");
   command.add_option("--json", json, "Write statistics of each pass and of all to this file");
   command
       .add_option("--pdf", pdfTexts,
@@ -96,6 +100,20 @@ void RenderOptions::finish() {
   for (const std::string& text : pdfTexts) pdfs.emplace_back(text);
   if (!pdfs.empty() && !isAdaptive()) {
     throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);
+  }
+  if ((fieldIn || fieldOut) && !isAdaptive()) {
+    throw UsageError(std::string(fieldIn ? "--field" : "--save-field") +
+                     " is of adaptive densities: there are none with --guide " + guide);
+  }
+  if (fieldIn && (basis || level || estimator != "default")) {
+    throw UsageError(std::string("--field knows its own ") +
+                     (basis   ? "basis"
+                      : level ? "level"
+                              : "estimator") +
+                     ": it can't be used with --" +
+                     (basis   ? "basis"
+                      : level ? "level"
+                              : "estimator"));
   }
   if (refitSolver && estimator != "refit") {
     throw UsageError("--refit-solver needs --estimator refit, not " + estimator);

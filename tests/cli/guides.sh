@@ -85,4 +85,19 @@ for level in 0 1 3; do
     complain "--level $level was exceeded"
 done
 silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --spp 1 --basis haar
+
+# Other budgets: an error that is reached, and memory that is kept or said to be too little.
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --error 0.2 --json s.json
+awk "BEGIN{exit !($("$tool" json s.json /error/upper) <= 0.2)}" || complain "--error 0.2 was missed"
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --memory 4 --samples 4 --json s.json
+[ "$("$tool" json s.json /total/bytes)" -le 4194304 ] || complain "--memory 4 was exceeded"
+fails 1 "bytes by itself" "$awd" render "$scenes/box.obj" -o s.exr --width 16 \
+  --memory 0.01 --samples 4
+
+# A field goes on where another render left it; a file that is none is refused.
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --samples 16 --save-field f.awd
+silent "$awd" render "$scenes/box.obj" -o a.exr --width 32 --samples 4 --field f.awd
+silent "$awd" render "$scenes/box.obj" -o b.exr --width 32 --samples 4
+[ "$(l1 a.exr b.exr)" != 0.0 ] || complain "what the field had learned changes nothing"
+fails 1 "s.json" "$awd" render "$scenes/box.obj" -o s.exr --width 4 --spp 1 --field s.json
 finish

@@ -51,6 +51,10 @@ fails 2 "it can't be used with --passes" $render --passes 4 --samples 4
 fails 2 "--passes needs --spp" $render --passes 4
 fails 2 "it can't be used with --spp" $render --spp 4 --seconds 1
 fails 2 "--seconds" $render --seconds 0
+fails 2 "it can't be used with --spp" $render --spp 4 --error 0.1
+for option in --error --memory; do fails 2 "$option" $render $option 0; done
+fails 2 "none with --guide cosine" $render --spp 1 --guide cosine --save-field f.awd
+fails 2 "it can't be used with --basis" $render --spp 1 --basis haar --field f.awd
 
 fails 2 "--pdf x" $render --spp 1 --pdf x
 fails 2 "--pdf 5" $render --spp 1 --pdf 5

@@ -31,7 +31,14 @@ struct Config {
   AWDHemisphereMap map = AWD_MAP_DEFAULT;
   AWDPatches patches = AWD_PATCHES_DEFAULT;
   AWDCombination combination = AWD_COMBINE_DEFAULT;
+  AWDPoints points = AWD_POINTS_DEFAULT;
 };
+
+constexpr Config randomPoints(const char* name, AWDGuide guide) {
+  Config config = {name, guide};
+  config.points = AWD_POINTS_RANDOM;
+  return config;
+}
 
 /// Guided, with a field of its own kind.
 constexpr Config fieldOf(const char* name, const char* basis, AWDHemisphereMap map,
@@ -69,6 +76,8 @@ const Config kConfigs[] = {
     fieldOf("hostPatches", "m2", AWD_MAP_CONCENTRIC_COSINE, AWD_PATCHES_HOST),
     fieldOf("byCount", "linear-bspline", AWD_MAP_CONCENTRIC_COSINE, AWD_PATCHES_SPATIAL,
             AWD_COMBINE_COUNT),
+    randomPoints("randomPoints", AWD_GUIDE_ADAPTIVE),
+    randomPoints("cosineRandomPoints", AWD_GUIDE_COSINE),
     {"quasi", AWD_GUIDE_ADAPTIVE, AWD_PRESET_DEFAULT, AWD_DIRECT_DEFAULT, AWD_ROULETTE_DEFAULT, 0,
      AWD_ESTIMATOR_QUASI},
 #ifdef AWD_TEST_REFIT
@@ -104,6 +113,7 @@ TEST(Bias, NoConfigurationDiffersFromTheReferenceSlow) {
     desc.roulette = config.roulette;
     desc.shadowRays = config.shadowRays;
     desc.combination = config.combination;
+    desc.points = config.points;
     Field field;
     if (config.estimator != AWD_ESTIMATOR_DEFAULT || config.basis) {
       AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
