@@ -160,7 +160,9 @@ typedef struct AWDPassStatistics {
 AWD_EXPORT AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPerPixel,
                                             AWDPassStatistics* statistics) AWD_NOEXCEPT;
 
-/* Several passes. samplesPerPass NULL: totalSamples divided by the library. Both 0: the preset's
+/* Several passes. samplesPerPass NULL: totalSamples divided by the library, which renders unguided
+   while it knows that there will be fewer than 6 samples per pixel in all, too few for learning to
+   pay, unless the field has learned before or the preset is the paper. Both 0: the preset's
    schedule (paper: 10, 10, 10, 70), or with seconds as many as there is time for. */
 typedef struct AWDSchedule {
   size_t structSize;

@@ -42,6 +42,9 @@ class Render final : public RefCounted {
   uint32_t samplesToReach(double error) const;
   void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, Counters& counters);
   void adapt();
+  /// Whether passes of so many samples per pixel in all are too few for learning to pay.
+  bool shouldStepAside(double samples) const;
+  void stepAside(bool aside);
   /// What a sample of the next pass counts for.
   double weightOfNext() const;
 
@@ -50,6 +53,8 @@ class Render final : public RefCounted {
   Ref<Field> field_;
   AWDPreset preset_;
   PathSettings settings_;
+  PathSettings used_;         ///< of the pass at hand
+  Field* learner_ = nullptr;  ///< that paths of the pass at hand learn in: null unless guided
   uint64_t seed_;
   Camera camera_;
   AWDCombination combination_;

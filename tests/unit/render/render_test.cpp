@@ -65,6 +65,32 @@ TEST(Render, AdaptsBetweenPassesAlone) {
   EXPECT_EQ(render->statistics().size(), 4u);
 }
 
+TEST(Render, StepsAsideWhereThereAreTooFewSamplesToLearnFrom) {
+  const Ref<Scene> scene = sceneOf(floorAndLamp());
+  AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  const auto rendered = [&](const Ref<Field>& field, AWDGuide guide, uint32_t samples) {
+    schedule.totalSamples = samples;
+    Ref<Render> render = makeRender(scene, field, guide);
+    render->passes(schedule);
+    return render;
+  };
+  const Ref<Field> field = haarField(scene);
+  const Ref<Render> few = rendered(field, AWD_GUIDE_ADAPTIVE, 5);
+  const Ref<Render> cosine = rendered({}, AWD_GUIDE_COSINE, 5);
+  EXPECT_EQ(few->statistics().size(), 1u);
+  EXPECT_EQ(few->total().rays, cosine->total().rays);
+  EXPECT_EQ(few->film().mean(500), cosine->film().mean(500));
+  EXPECT_EQ(field->statistics().patches, 0u) << "it has learned";
+  // The next schedule of the same render goes beyond, and learns.
+  schedule.totalSamples = 3;
+  few->passes(schedule);
+  EXPECT_EQ(few->statistics().size(), 4u);
+  EXPECT_GT(field->statistics().patches, 0u);
+  // What a field knows already is used however few samples there are.
+  EXPECT_EQ(rendered(field, AWD_GUIDE_ADAPTIVE, 3)->statistics().size(), 3u);
+  EXPECT_GT(rendered(haarField(scene), AWD_GUIDE_ADAPTIVE, 6)->statistics().size(), 3u);
+}
+
 TEST(Render, ScalesTheFieldToItsLights) {
   // A lamp far dimmer than the field's own scale must still be learned from in the first pass.
   const Ref<Device> owner = device();
