@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "guide_report.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace bench::guide {
@@ -82,17 +83,19 @@ void Report::begin(const LoadedScene& loaded) {
   std::fflush(stdout);
 }
 
-void Report::add(uint32_t samples, const Method& method, const std::vector<Shot>& shots,
+void Report::add(uint32_t samples, const std::string& method, const std::vector<Shot>& shots,
                  const std::vector<Shot>* base) {
   Row row = {{"scene", loaded_->name},
              {"width", loaded_->camera.width},
              {"height", loaded_->camera.height},
              {"samples_per_pixel", samples},
-             {"method", method.name},
+             {"method", method},
              {"seeds", shots.size()},
              {"reference_files", loaded_->reference.files},
              {"reference_relmse", loaded_->reference.relMse}};
-  for (const auto& [name, figure] : kFigures) setSpread(row, name, spreadOf(shots, figure));
+  for (const auto& [name, figure] : kFigures) {
+    if (!std::isnan(figure(shots.front()))) setSpread(row, name, spreadOf(shots, figure));
+  }
   for (const auto& [name, figure] : kRatios) {
     const auto ratio = base ? ratioOf(shots, *base, figure) : std::nullopt;
     if (ratio) setSpread(row, name, *ratio);
@@ -105,7 +108,7 @@ void Report::write(bool complete) {
   if (folder_.empty()) return;
   Row head = head_;
   head["complete"] = complete;
-  writeRows(head, rows_, folder_, "guide");
+  writeRows(head, rows_, folder_, name_);
 }
 
 }  // namespace bench::guide

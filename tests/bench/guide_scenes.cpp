@@ -30,17 +30,13 @@ SceneFiles chosenScenes(const Options& options) {
 
 class Comparison {
  public:
-  Comparison(const Options& options, Report& report, Cancelled cancelled)
+  Comparison(const Options& options, const std::vector<Contender>& contenders, Report& report,
+             Cancelled cancelled)
       : options_(options),
+        contenders_(contenders),
         report_(report),
         cancelled_(cancelled),
-        device_(newRenderDevice(options.threads, cancelled)) {
-    for (const std::string& name : options.names) {
-      methods_.push_back(&methodNamed(name));
-      settings_.emplace_back();
-      methods_.back()->change(settings_.back());
-    }
-  }
+        device_(newRenderDevice(options.threads, cancelled)) {}
 
   /// False: cancelled.
   bool measure(const std::string& name, const std::string& file) {
@@ -69,22 +65,22 @@ class Comparison {
 
  private:
   bool measure(const LoadedScene& loaded, uint32_t samples) {
-    std::vector<std::vector<Shot>> shots(methods_.size());
+    std::vector<std::vector<Shot>> shots(contenders_.size());
     const auto report = [&](std::size_t i) {
-      report_.add(samples, *methods_[i], shots[i], i == 0 ? nullptr : shots.data());
+      report_.add(samples, contenders_[i].name, shots[i], i == 0 ? nullptr : shots.data());
     };
     bool complete = true;
     // The methods of a seed after each other: what else the machine does meets them alike.
     for (int seed = 1; seed <= options_.seeds && complete; ++seed) {
-      for (std::size_t i = 0; i < methods_.size() && complete; ++i) {
+      for (std::size_t i = 0; i < contenders_.size() && complete; ++i) {
         Shot shot = {};
-        complete = !cancelled_() &&
-                   shoot(device_, loaded, settings_[i], samples, static_cast<uint64_t>(seed), shot);
+        complete = !cancelled_() && contenders_[i].shoot(device_, loaded, samples,
+                                                         static_cast<uint64_t>(seed), shot);
         if (complete) shots[i].push_back(shot);
         if (complete && seed == options_.seeds) report(i);
       }
     }
-    for (std::size_t i = 0; i < methods_.size() && !complete; ++i) {
+    for (std::size_t i = 0; i < contenders_.size() && !complete; ++i) {
       if (!shots[i].empty() && shots[i].size() < static_cast<std::size_t>(options_.seeds)) {
         report(i);
       }
@@ -94,17 +90,17 @@ class Comparison {
   }
 
   const Options& options_;
+  const std::vector<Contender>& contenders_;
   Report& report_;
   Cancelled cancelled_;
   command::Device device_;
-  std::vector<const Method*> methods_;
-  std::vector<Settings> settings_;
 };
 
 }  // namespace
 
-bool measureScenes(const Options& options, Report& report, Cancelled cancelled) {
-  Comparison comparison(options, report, cancelled);
+bool measureScenes(const Options& options, const std::vector<Contender>& contenders, Report& report,
+                   Cancelled cancelled) {
+  Comparison comparison(options, contenders, report, cancelled);
   for (const auto& [name, file] : chosenScenes(options)) {
     if (!comparison.measure(name, file)) return false;
   }

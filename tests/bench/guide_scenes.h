@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The renders of `awd-bench guide`.
+// The renders of `awd-bench guide` and `awd-bench rival`.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "guide_methods.h"
 #include "guide_report.h"
 
 namespace bench::guide {
@@ -13,7 +13,6 @@ namespace bench::guide {
 struct Options {
   std::string moreScenes;         ///< a folder of folders with a scene file each, or ""
   std::vector<std::string> only;  ///< scenes by name; none: all
-  std::vector<std::string> names{"cosine", "adaptive"};  ///< of methods, the baseline first
   std::vector<uint32_t> samples{32, 64, 128, 256, 512};  ///< a pixel
   int seeds = 5;
   uint32_t threads = 1;
@@ -23,8 +22,18 @@ struct Options {
   std::string folder;                ///< for the report and the references made, or ""
 };
 
-/// Renders, and reports each row as soon as it has its last seed. False: cancelled; what was done
-/// by then is reported too.
-bool measureScenes(const Options& options, Report& report, Cancelled cancelled);
+/// One of those that are compared.
+struct Contender {
+  std::string name;
+  /// One image, from nothing learned on. False: cancelled.
+  std::function<bool(const command::Device& device, const LoadedScene& loaded, uint32_t samples,
+                     uint64_t seed, Shot& shot)>
+      shoot;
+};
+
+/// Renders, the baseline first, and reports each row as soon as it has its last seed. False:
+/// cancelled; what was done by then is reported too.
+bool measureScenes(const Options& options, const std::vector<Contender>& contenders, Report& report,
+                   Cancelled cancelled);
 
 }  // namespace bench::guide

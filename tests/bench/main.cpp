@@ -14,7 +14,7 @@ constexpr AddCommand kCommands[] = {
     bench::addDensityCommand, bench::addExtremesCommand,
     bench::addRefitCommand,   bench::addWaveletsCommand,
 #ifdef AWD_BENCH_SCENES
-    bench::addGuideCommand,
+    bench::addGuideCommand,   bench::addRivalCommand,
 #endif
 #ifdef AWD_BENCH_GOOGLE
     bench::addSpeedCommand,

@@ -49,7 +49,7 @@ struct Settings {
 struct Shot {
   double relMse, relMseTrimmed, l1;
   double cpuSeconds, rays;
-  double patches, coefficients, bytes;
+  double patches, coefficients, bytes;  ///< NaN: not known
 };
 
 /// One image, from an empty field on. False: cancelled.

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+# Runs `awd-bench rival` on tiny images and looks at what it wrote: a row for each method, all
+# errors and times above 0, no two the same image.
+#   BENCH: the program; OUT: a folder; OPENPGL: whether it was built with Open PGL
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${OUT})
+set(methods cosine awd)
+if(OPENPGL)
+  list(APPEND methods openpgl)
+endif()
+
+foreach(roulette adjoint albedo)
+  execute_process(COMMAND ${BENCH} rival --out ${OUT}/${roulette} --only verification --width 16
+    --seeds 1 --samples 2 --roulette ${roulette} OUTPUT_VARIABLE output RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "awd-bench rival ended with ${code}")
+  endif()
+  if(NOT OPENPGL AND NOT output MATCHES "without Open PGL")
+    message(FATAL_ERROR "It doesn't say that there is no Open PGL: ${output}")
+  endif()
+  file(READ ${OUT}/${roulette}/rival.json text)
+  string(JSON rows GET ${text} rows)
+  string(JSON count LENGTH ${rows})
+  math(EXPR last "${count} - 1")
+  set(found)
+  set(errors)
+  foreach(i RANGE ${last})
+    string(JSON row GET ${rows} ${i})
+    string(JSON method GET ${row} method)
+    list(APPEND found ${method})
+    foreach(figure l1 relmse relmse_trimmed cpu_seconds rays)
+      string(JSON value GET ${row} ${figure})
+      if(NOT value GREATER 0)
+        message(FATAL_ERROR "${method}: ${figure} is ${value}")
+      endif()
+      if(figure STREQUAL l1)
+        list(APPEND errors ${value})
+      endif()
+    endforeach()
+  endforeach()
+  if(NOT found STREQUAL methods)
+    message(FATAL_ERROR "rows of ${found}, not of ${methods}")
+  endif()
+  # The same numbers make the same image only by the same directions.
+  list(REMOVE_DUPLICATES errors)
+  list(LENGTH errors different)
+  if(NOT different EQUAL count)
+    message(FATAL_ERROR "two methods made the same image: L1 ${errors}")
+  endif()
+endforeach()
+
+execute_process(COMMAND ${BENCH} rival --out ${OUT}/misused --methods neither ERROR_VARIABLE message
+  OUTPUT_QUIET RESULT_VARIABLE code)
+if(NOT code EQUAL 1 OR NOT message MATCHES "no method neither; there are cosine awd")
+  message(FATAL_ERROR "--methods neither: code ${code}, ${message}")
+endif()
