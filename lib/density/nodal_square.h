@@ -98,7 +98,7 @@ NodalSquare::Sample NodalSquare::sampleCells(float first, float second) const {
   Sample sample;
   sample.u = draw<kCells>(first, tables_, marginal);
   const Place u = placeOf(sample.u, kCells);
-  const float* below = marginal + kNodes * (u.cell + 1);
+  const float* below = marginal + std::size_t{kNodes} * (u.cell + 1);
   const float* above = below + kNodes;
   float nodes[kNodes], upTo[kCells];
   for (uint32_t k = 0; k < kNodes; ++k) nodes[k] = blend(below[k], above[k], u.t);
@@ -132,12 +132,13 @@ inline NodalSquare::Sample NodalSquare::sample(double first, double second) cons
   }
 }
 
-inline float NodalSquare::pdf(float x, float y) const {
-  const Place u = placeOf(x, cells_);
-  const Place v = placeOf(y, cells_);
-  const float* below = tables_ + cells_ + (cells_ + 1) * (u.cell + 1) + v.cell;
-  const float* above = below + cells_ + 1;
-  return blend(blend(below[0], above[0], u.t), blend(below[1], above[1], u.t), v.t);
+inline float NodalSquare::pdf(float u, float v) const {
+  const Place x = placeOf(u, cells_);
+  const Place y = placeOf(v, cells_);
+  const std::size_t nodes = std::size_t{cells_} + 1;
+  const float* below = tables_ + cells_ + nodes * (x.cell + 1) + y.cell;
+  const float* above = below + nodes;
+  return blend(blend(below[0], above[0], x.t), blend(below[1], above[1], x.t), y.t);
 }
 
 }  // namespace awd

@@ -46,7 +46,8 @@ void SquareValues::recordNodes(float u, float v, double value) noexcept {
   Sum* below = sums_ + std::size_t{along[0].cell} * (cells + 1) + along[1].cell;
   Sum* above = below + cells + 1;
   const auto add = [&](Sum& sum, double atU, double atV) {
-    accumulate(sum, static_cast<int64_t>(value * (atU * atV) + 0.5));
+    const double rounded = value * (atU * atV) + 0.5;  // as below
+    accumulate(sum, static_cast<int64_t>(rounded));
   };
   add(below[0], 1.0 - t[0], 1.0 - t[1]);
   add(below[1], 1.0 - t[0], t[1]);
