@@ -218,6 +218,14 @@ AWD_EXPORT AWDResult AWD_CALL awdGetPatchCoefficients(AWDField field, uint32_t p
                                                       double* coefficients,
                                                       size_t capacity) AWD_NOEXCEPT;
 
+/* What all passes have found the integral of f over the hemisphere to be, in the units of what is
+   recorded: with f the luminance of f_r L_i cos(theta), the indirect radiance that the patch
+   reflects. For roulette and splitting by the radiance to come, and for a look at the scene. -1
+   where nothing is known, and of the estimator paper, which doesn't keep it. Free, but not while
+   the field adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdGetPatchMean(AWDField field, uint32_t patch,
+                                              float* mean) AWD_NOEXCEPT;
+
 /* The density on the unit square as an n x n image: row i, column k holds
    p((k + 1/2)/n, (i + 1/2)/n), u to the right and v downwards; rows are rowStride bytes apart
    (0: packed). 1 <= n <= 16384. Free, but not while the field adapts. */

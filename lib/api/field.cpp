@@ -141,6 +141,16 @@ AWDResult AWD_CALL awdGetPatchCoefficients(AWDField field, uint32_t patch, doubl
   });
 }
 
+AWDResult AWD_CALL awdGetPatchMean(AWDField field, uint32_t patch, float* mean) noexcept {
+  return guard(__func__, [&] {
+    const Field& known = object(field, "field");
+    float* out = need(mean, "mean");
+    const PatchView view = known.view(patch);
+    const bool kept = known.settings().learning.estimator != AWD_ESTIMATOR_PAPER;
+    *out = view.known && kept ? view.mean : -1.0f;
+  });
+}
+
 AWDResult AWD_CALL awdGetPatchPdf(AWDField field, uint32_t patch, uint32_t n, float* pixels,
                                   size_t rowStride) noexcept {
   return guard(__func__, [&] {

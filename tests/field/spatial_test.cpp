@@ -90,6 +90,28 @@ TEST(SpatialPatches, AreMadeWhereSamplesLandAndSplitWhereTheyAreMany) {
   EXPECT_FLOAT_EQ(density(field, find(field, 0.2f, 0.5f, 0.5f, down), 0), 1.0f);
 }
 
+/// Where a fourth of the samples brings f/p = 12 and the others nothing, the mean is 3.
+TEST(SpatialPatches, TellWhatTheyReflect) {
+  const Device device = newDevice();
+  const AWDFieldDesc desc = unitBox();
+  const Field field = newField(device, &desc);
+  const uint32_t patch = find(field, 0.3f, 0.3f);
+  float mean = 0.0f;
+  must(awdGetPatchMean(field, patch, &mean));
+  EXPECT_EQ(mean, -1.0f) << "nothing is known";
+  Random random(60);
+  for (int i = 0; i < 400; ++i) {
+    const AWDDirectionSample s = draw(field, patch, kUp, random);
+    must(awdRecordField(field, patch, &s, i % 4 == 0 ? 12.0 * static_cast<double>(s.pdf) : 0.0));
+  }
+  must(awdGetPatchMean(field, patch, &mean));
+  EXPECT_EQ(mean, -1.0f) << "not before the field adapts";
+  must(awdAdaptField(field, nullptr));
+  must(awdGetPatchMean(field, find(field, 0.3f, 0.3f), &mean));
+  EXPECT_NEAR(mean, 3.0f, 1e-4f);
+  EXPECT_EQ(awdGetPatchMean(field, patch, nullptr), AWD_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(SpatialPatches, GiveTheSameBitsInAnyOrder) {
   const Device device = newDevice(1u);
   const AWDFieldDesc desc = unitBox();

@@ -71,6 +71,7 @@ TEST_F(Arguments, NullHandles) {
       [&] { return awdGetPatchInfo(nullptr, 0, &patchInfo); },
       [&] { return awdGetPatchCoefficients(nullptr, 0, coefficients, 64); },
       [&] { return awdGetPatchPdf(nullptr, 0, 2, floats_, 0); },
+      [&] { return awdGetPatchMean(nullptr, 0, floats_); },
       [&] { return awdNewRender(nullptr, nullptr, &desc_, &render); },
       [&] { return awdGetRenderField(nullptr, &field); },
       [&] { return awdRenderPass(nullptr, 1, &passFigures); },
