@@ -72,8 +72,9 @@ TEST(Sobol, EachPointIsUniformOverSeeds) {
     std::vector<int> counts(256, 0);
     for (int i = 0; i < kSamples; ++i) {
       const uint64_t seed = mixBits(3000u * index + 7u * static_cast<uint64_t>(i));
-      const SobolPoint p = sobolPoint(index, static_cast<uint32_t>(mixBits(seed)),
-                                      static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32));
+      const SobolPoint p =
+          sobolPoint(index, static_cast<uint32_t>(mixBits(seed)), static_cast<uint32_t>(seed),
+                     static_cast<uint32_t>(seed >> 32));
       ++counts[static_cast<std::size_t>(16 * p.x) * 16 + static_cast<std::size_t>(16 * p.y)];
     }
     double chi2 = 0.0;
