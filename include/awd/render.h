@@ -174,8 +174,9 @@ typedef struct AWDSchedule {
      large as still fits. Not with samplesPerPass. How many samples there are, and with them the
      image, depends on the machine; of so many the bits are what they always are. */
   double seconds;
-  /* 0: no limit. Passes of the library's sizes until the upper end of awdGetRenderError() is not
-     above this. Also within totalSamples and seconds, if they are set; not with samplesPerPass. */
+  /* 0: no limit. Passes of the library's sizes, 16 samples at least, until the upper end of
+     awdGetRenderError() is not above this. Also within totalSamples and seconds, if they are set;
+     not with samplesPerPass. */
   double error;
 } AWDSchedule;
 

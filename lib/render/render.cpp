@@ -20,6 +20,10 @@ constexpr uint32_t kTile = 16;
 /// on six scenes, guided passes are less efficient than unguided ones below 4 to 7 samples.
 constexpr double kFewestGuided = 6.0;
 
+/// Before so many samples per pixel no error is believed to be small: light that is rare may not
+/// have been met at all, and a black image has no error.
+constexpr uint64_t kFewestTold = 16;
+
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
 /// CPU time of the process and wall time since its construction.
@@ -209,7 +213,7 @@ void Render::adapt() {
 }
 
 uint32_t Render::samplesToReach(double error) const {
-  if (film_.samples() < 2) return UINT32_MAX;
+  if (film_.samples() < kFewestTold) return UINT32_MAX;
   const double now = film_.error().upper;
   if (now <= error) return 0;
   // The error goes with the root of the samples at least.

@@ -69,7 +69,7 @@ TEST_P(Error, IsABudgetSlow) {
   const AWDRenderDesc desc = renderDesc(view, GetParam(), 4000);
   AWDSchedule schedule = AWD_SCHEDULE_INIT;
   uint64_t before = 0;
-  for (const double target : {0.4, 0.2, 0.1}) {
+  for (const double target : {0.1, 0.05, 0.03}) {
     schedule.error = target;
     const Render render = newRender(scene, desc);
     must(awdRenderPasses(render, &schedule));
@@ -82,12 +82,18 @@ TEST_P(Error, IsABudgetSlow) {
     EXPECT_GT(samples, before);
     before = samples;
   }
+  const auto samplesOf = [&] {
+    const Render render = newRender(scene, desc);
+    must(awdRenderPasses(render, &schedule));
+    uint64_t samples = 0;
+    must(awdGetFilmInfo(render, nullptr, nullptr, &samples));
+    return samples;
+  };
   schedule.totalSamples = 4;
-  const Render render = newRender(scene, desc);
-  must(awdRenderPasses(render, &schedule));
-  uint64_t samples = 0;
-  must(awdGetFilmInfo(render, nullptr, nullptr, &samples));
-  EXPECT_EQ(samples, 4u) << "the other limit holds too";
+  EXPECT_EQ(samplesOf(), 4u) << "the other limit holds too";
+  schedule = AWD_SCHEDULE_INIT;
+  schedule.error = 1e6;
+  EXPECT_EQ(samplesOf(), 17u) << "1, 1, 1, 2, 2, 2, 4, 4: an error is believed from 16 on";
 }
 
 }  // namespace
