@@ -9,7 +9,8 @@ namespace awd {
 namespace {
 
 constexpr uint32_t kMostCells = 32;
-/// What floats can't square is as good as nothing: no cell has a mass whose density is 0.
+/// Less is as good as nothing: blended with a share of 2^-18 and squared it would leave the range
+/// of floats, and a cell of some mass could seem to have none.
 constexpr double kLeastCoefficient = 1e-15;
 
 }  // namespace

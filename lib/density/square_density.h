@@ -45,9 +45,6 @@ class SquareDensity final : public RefCounted {
   /// the inverse CDF, u from uniforms[0] and v from uniforms[1], monotone in both.
   SquareSample sample(const double uniforms[3]) const;
 
-  /// Whether it is 1 everywhere, where the uniforms are the sample: cosine sampling on the cosine
-  /// maps should cost no more.
-  bool isConstant() const { return constant_; }
   /// The fast form of sample() and pdf(), if the level has one and drawing is by the inverse CDF.
   NodalSquare nodal() const {
     return nodal_.empty() ? NodalSquare() : NodalSquare(nodal_.data(), level_->cells);
@@ -66,7 +63,9 @@ class SquareDensity final : public RefCounted {
 
   const BasisLevel* level_;
   std::pmr::vector<double> coefficients_;
-  bool constant_ = false;  ///< never by component
+  /// 1 everywhere, where the uniforms are the sample: cosine sampling on the cosine maps costs no
+  /// more. Never by component.
+  bool constant_ = false;
   // By component there is neither of these.
   std::optional<SquareSampler> inverse_;
   std::pmr::vector<float> nodal_;  ///< in place of the former where it fits

@@ -154,6 +154,8 @@ class Field final : public RefCounted {
   /// The patch of that key or, if none has been made yet, the one that its leaf was split from.
   const Patch* nearest(uint32_t key) const;
   PatchView viewOf(uint32_t key) const;
+  /// Views go on showing what the last adapt left, and record where statistics are now.
+  void renewViews();
   Patch& touch(uint32_t key);
 
   Owned<PatchStatistics> getStatistics(ByteReader& reader, const BasisLevel& level,

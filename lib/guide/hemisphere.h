@@ -2,7 +2,6 @@
 // Maps from the unit square to directions above a surface, and tangent frames.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "awd/field.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "guide_methods.h"
 
-#include <stdexcept>
+#include "named.h"
 
 namespace bench::guide {
 
@@ -81,13 +81,6 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-const Method& methodNamed(const std::string& name) {
-  std::string message = "no method " + name + "; there are";
-  for (const Method& method : methods()) {
-    if (method.name == name) return method;
-    message.append(" ").append(method.name);
-  }
-  throw std::runtime_error(message);
-}
+const Method& methodNamed(const std::string& name) { return named(methods(), name); }
 
 }  // namespace bench::guide

@@ -2,8 +2,8 @@
 #include "rival_methods.h"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "named.h"
 #include "support/handles.h"
 
 namespace bench::rival {
@@ -57,13 +57,6 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-const Method& methodNamed(const std::string& name) {
-  std::string message = "no method " + name + "; there are";
-  for (const Method& method : methods()) {
-    if (method.name == name) return method;
-    message.append(" ").append(method.name);
-  }
-  throw std::runtime_error(message);
-}
+const Method& methodNamed(const std::string& name) { return named(methods(), name); }
 
 }  // namespace bench::rival

@@ -33,6 +33,31 @@ TEST(SpatialTree, HasALeafForEachDirectionOfNormals) {
             tree.find({1, 1, 1}, {0, 0, -1}) / kEighths);
 }
 
+TEST(SpatialTree, OfManyLeavesStillFindsEachPointWhereItWas) {
+  // Far beyond where the table of the first levels grows: a split moves points of its leaf alone.
+  SpatialTree tree = makeTree();
+  Uniforms random(52);
+  std::vector<std::pair<Vec3f, uint32_t>> points;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3f p = somewhere(random);
+    points.emplace_back(p, tree.find(p, {0, 0, 1}));
+  }
+  while (tree.leaves() < 600) {
+    const uint32_t leaf = points[tree.leaves() % points.size()].second / kEighths;
+    const uint32_t other = tree.split(leaf, tree.leaves() % 2);
+    tree.finish();
+    for (auto& [p, number] : points) {
+      const uint32_t now = tree.find(p, {0, 0, 1});
+      if (number / kEighths == leaf) {
+        ASSERT_TRUE(now / kEighths == leaf || now / kEighths == other);
+      } else {
+        ASSERT_EQ(now, number) << tree.leaves() << " leaves";
+      }
+      number = now;
+    }
+  }
+}
+
 TEST(SpatialTree, HalvesAsTheEighthsForetell) {
   for (const uint32_t keeper : {0u, 1u}) {
     SpatialTree tree = makeTree();
