@@ -2,7 +2,6 @@
 #include "guide/field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "util/error.h"
