@@ -31,8 +31,8 @@ void checkOutputs(const RenderOptions& options) {
   for (const PdfRequest& pdf : options.pdfs) checkWritable(pdf.file());
 }
 
-/// None unless the render is adaptive.
-Field makeField(const Device& device, const RenderOptions& options, const AWDSceneInfo& scene) {
+/// None unless the render is adaptive. scene: null before it is loaded.
+Field makeField(const Device& device, const RenderOptions& options, AWDScene scene) {
   Field field;
   if (!options.isAdaptive()) return field;
   if (options.fieldIn) {
@@ -40,14 +40,13 @@ Field makeField(const Device& device, const RenderOptions& options, const AWDSce
     return field;
   }
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
-  std::copy(scene.lower, scene.lower + 3, desc.lower);
-  std::copy(scene.upper, scene.upper + 3, desc.upper);
   desc.preset = options.presetValue();
   desc.basis = options.basis ? options.basis->c_str() : nullptr;
   if (options.level) desc.maxLevel = AWD_LEVEL(*options.level);
   desc.estimator = options.estimatorValue();
   desc.refitSolver = options.refitSolver ? options.refitSolver->c_str() : nullptr;
-  check(awdNewField(device.get(), &desc, field.out()));
+  check(scene ? awdNewSceneField(scene, &desc, field.out())
+              : awdNewField(device.get(), &desc, field.out()));
   return field;
 }
 
@@ -59,6 +58,9 @@ Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camer
   desc.guide = options.guideValue();
   desc.shadowRays = options.shadowRays;
   desc.points = options.pointsValue();
+  desc.direct = options.directValue();
+  desc.lights = options.lightsValue();
+  desc.maxSplit = options.maxSplit;
   desc.maxBytes = static_cast<uint64_t>(options.memory.value_or(0.0) * 1048576.0);
   desc.seed = options.seed;
   Render render;
@@ -139,7 +141,7 @@ int render(RenderOptions& options, const std::string& commandLine) {
   bar.setPassCount(options.schedule.samplesPerPass.size());
   const Device device = openDevice(options.device, &bar);
   // An unknown basis, or a damaged field, shows before a long load.
-  makeField(device, options, AWD_SCENE_INFO_INIT);
+  makeField(device, options, nullptr);
 
   const SceneData data = loadScene(options.scene);
   AWDCamera camera = chooseCamera(options.camera, options.scene, data);
@@ -151,9 +153,7 @@ int render(RenderOptions& options, const std::string& commandLine) {
     return kInterrupted;
   }
 
-  AWDSceneInfo info = AWD_SCENE_INFO_INIT;
-  check(awdGetSceneInfo(scene.get(), &info));
-  const Field field = makeField(device, options, info);
+  const Field field = makeField(device, options, scene.get());
   const Render render = makeRender(scene, field, camera, options);
   for (PdfRequest& pdf : options.pdfs)
     pdf.resolve(scene, render, options.presetValue() != AWD_PRESET_PAPER);

@@ -71,6 +71,14 @@ void RenderOptions::describe(CLI::App& command) {
       ->check(CLI::IsMember({"default", "random", "sobol"}));
   command.add_option("--shadow-rays", shadowRays, "Per light and vertex")
       ->check(CLI::Range(1, 1024));
+  command.add_option("--direct", direct, "How light is found, see awd/render.h")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"default", "area", "weighted", "none"}));
+  command.add_option("--lights", lights, "How shadow rays choose among several lights")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"default", "power", "learned"}));
+  command.add_option("--max-split", maxSplit, "Rays into which a path may split, 1: none")
+      ->check(CLI::Range(1, 64));
   command.add_option("--field", fieldIn,
                      "Begin with what another render of the scene, smaller perhaps, has\n"
                      "learned, from this file");
@@ -132,6 +140,17 @@ AWDPreset RenderOptions::presetValue() const {
 AWDPoints RenderOptions::pointsValue() const {
   if (points == "random") return AWD_POINTS_RANDOM;
   return points == "sobol" ? AWD_POINTS_SOBOL : AWD_POINTS_DEFAULT;
+}
+
+AWDDirectLight RenderOptions::directValue() const {
+  if (direct == "area") return AWD_DIRECT_AREA;
+  if (direct == "weighted") return AWD_DIRECT_WEIGHTED;
+  return direct == "none" ? AWD_DIRECT_NONE : AWD_DIRECT_DEFAULT;
+}
+
+AWDLightChoice RenderOptions::lightsValue() const {
+  if (lights == "power") return AWD_LIGHTS_POWER;
+  return lights == "learned" ? AWD_LIGHTS_LEARNED : AWD_LIGHTS_DEFAULT;
 }
 
 AWDEstimator RenderOptions::estimatorValue() const {

@@ -19,9 +19,10 @@ struct RenderOptions {
   std::optional<uint32_t> width, height, level, passes, samples;
   std::optional<double> seconds, error, memory;
   std::string guide = "adaptive", preset = "default", estimator = "default";
-  std::string points = "default";
+  std::string points = "default", direct = "default", lights = "default";
   uint64_t seed = 0;
   uint32_t shadowRays = 0;  // 0: the preset's
+  uint32_t maxSplit = 0;    // likewise
   std::vector<std::string> pdfTexts;
   DeviceOptions device;
 
@@ -38,6 +39,8 @@ struct RenderOptions {
   AWDPreset presetValue() const;
   AWDEstimator estimatorValue() const;
   AWDPoints pointsValue() const;
+  AWDDirectLight directValue() const;
+  AWDLightChoice lightsValue() const;
 };
 
 }  // namespace command

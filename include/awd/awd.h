@@ -10,6 +10,7 @@
 #include "awd/device.h"
 #include "awd/field.h"
 #include "awd/image.h"
+#include "awd/light.h"
 #include "awd/render.h"
 #include "awd/scene.h"
 #include "awd/types.h"

@@ -42,13 +42,19 @@ enum {
   AWD_PATCHES_HOST = 2 /* the host's numbers, or those of the scene's triangles */
 };
 
+/* Of the lights that a field tells apart. */
+#define AWD_MOST_FIELD_LIGHTS 64
+
 typedef struct AWDFieldDesc {
   size_t structSize;
   AWDPreset preset; /* settles every setting that is 0 below */
   AWDHemisphereMap map;
   const char* basis;   /* name of a family; NULL: "linear-bspline"; "haar" in the preset paper */
   uint32_t startLevel; /* AWD_LEVEL(l) of a density's first pass, or 0 */
-  uint32_t maxLevel;   /* AWD_LEVEL(l) beyond which nothing is refined, or 0 */
+  /* AWD_LEVEL(l) beyond which nothing is refined, or 0. A patch is refined when it has samples
+     enough and, from level 3 on, its density contrast enough; in the preset paper after every pass.
+     Default: from level 3 to 4. */
+  uint32_t maxLevel;
   /* Coefficients below tau times the mean density are raised to it, 0 < tau <= 1; 0: the
      preset's (paper: 0.05; default: none for the estimator lumped, which has alpha, 0.3 for the
      others); negative: no floor, which risks infinite variance where there is no alpha. */
@@ -60,29 +66,37 @@ typedef struct AWDFieldDesc {
   /* Of quasi and refit, as in AWDDensityDesc. */
   double shrinkage;
   AWDPatches patches;
-  float lower[3]; /* box of the positions of spatial patches, in the host's units; a render sets */
-  float upper[3]; /* that of its scene in a field of its own. Both 0: no box */
-  /* A spatial patch that has had more samples is split; 0: 2000. Times sqrt(n / 2048) if there are
-     n > 2048 patches, since memory out of reach of the caches costs more than detail brings. */
+  float lower[3]; /* box of the positions of spatial patches, in the host's units; both 0: none, */
+  float upper[3]; /* or that of the scene by awdNewSceneField */
+  /* A spatial patch that has had more samples is split; 0: 2000. Times sqrt(n / 512) if there are
+     n > 512 patches, since memory out of reach of the caches costs more than detail brings. */
   uint32_t patchSamples;
   /* Share of the map's constant density, which with the cosine maps is cosine sampling, in every
      learned density; it grows where samples are few. 0: 0.1 for the estimator lumped, else none;
      negative: none; at most 1. */
   double alpha;
-  uint64_t maxBytes; /* beyond it no patch is split; their table, 8 bytes each, apart; 0: none */
+  /* Beyond it no patch is split, and none refined if all could not be; their table, 8 bytes each,
+     apart; 0: no limit. */
+  uint64_t maxBytes;
+  /* Lights, or groups of them, that shadow rays choose among (awd/light.h), at most
+     AWD_MOST_FIELD_LIGHTS; 0: the field chooses none, but awdNewSceneField sets the scene's. */
+  uint32_t lightCount;
+  /* As many powers >= 0, by which lights are chosen where nothing has been learned; copied; NULL:
+     equal ones. */
+  const float* lightPowers;
 } AWDFieldDesc;
 
 #ifdef __cplusplus
 #define AWD_FIELD_DESC_INIT                                                                        \
   AWDFieldDesc {                                                                                   \
     sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0, 0, nullptr, 0.0, 0, {0.0f, 0.0f, 0.0f},      \
-        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u                                                            \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, nullptr                                               \
   }
 #else
 #define AWD_FIELD_DESC_INIT                                                                        \
   {                                                                                                \
     sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0, 0, NULL, 0.0, 0, {0.0f, 0.0f, 0.0f},            \
-        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u                                                            \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, NULL                                                  \
   }
 #endif
 
@@ -225,6 +239,19 @@ AWD_EXPORT AWDResult AWD_CALL awdGetPatchCoefficients(AWDField field, uint32_t p
    the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPatchMean(AWDField field, uint32_t patch,
                                               float* mean) AWD_NOEXCEPT;
+
+/* With how many rays on average a path should go on from a vertex, by the radiance that is still to
+   come (adjoint-driven roulette and splitting, a weight window). With L what the patch reflects
+   (awdGetPatchMean) and r = throughput L / expected,
+     rays = max(3 r, 0.1) up to r = 1/3, 1 up to r = 1, min(r, maxSplit) above.
+   throughput: luminance of the path's weight before the vertex, finite, not negative; expected:
+   that of the radiance the pixel is expected to have, positive: what earlier passes found, blurred,
+   serves well; maxSplit: 1 to 64, 1: roulette alone, 0: 8. Trace floor(rays) of them, one more with
+   the chance of the fraction, and divide each by `rays`. -1 where nothing is known. Free, but not
+   while the field adapts. */
+AWD_EXPORT AWDResult AWD_CALL awdGetContinuation(AWDField field, uint32_t patch, float throughput,
+                                                 float expected, uint32_t maxSplit,
+                                                 float* rays) AWD_NOEXCEPT;
 
 /* The density on the unit square as an n x n image: row i, column k holds
    p((k + 1/2)/n, (i + 1/2)/n), u to the right and v downwards; rows are rowStride bytes apart

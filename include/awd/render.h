@@ -10,7 +10,7 @@
 #ifndef AWD_RENDER_H
 #define AWD_RENDER_H
 
-#include "awd/types.h"
+#include "awd/field.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -58,7 +58,10 @@ enum {
   /* Shadow rays alone, over the light's area: infinite variance where a light touches a surface. */
   AWD_DIRECT_AREA = 1,
   /* Shadow rays and indirect rays that meet a light, by balance weights from area and cosine. */
-  AWD_DIRECT_WEIGHTED = 2
+  AWD_DIRECT_WEIGHTED = 2,
+  /* By indirect rays that meet a light, alone: a field then learns direct light too, as in the
+     paper's figure 4. */
+  AWD_DIRECT_NONE = 3
 };
 
 /* How long paths live. q is the chance to go on, before the indirect ray is drawn; the survivor is
@@ -70,10 +73,11 @@ enum {
   AWD_ROULETTE_DEFAULT = 0,
   AWD_ROULETTE_ALBEDO = 1,     /* q = largest component of the albedo */
   AWD_ROULETTE_THROUGHPUT = 2, /* q = largest component of throughput times albedo, at most 1 */
-  /* q = clamp(3 T L / I, 0.1, 1): by the radiance still to come. T is the luminance of the
-     throughput before the vertex, L that of the indirect light which the vertex's patch reflects by
-     the field, I that of the pixel in earlier passes, blurred over 5 x 5 pixels and not below a
-     fifth of the image's mean; by albedo where nothing is known. Needs AWD_GUIDE_ADAPTIVE. */
+  /* By the radiance still to come: q = clamp(3 r, 0.1, 1) with r = T L / I, and where r > 1 the
+     path is split into r rays, at most maxSplit. T is the luminance of the throughput before the
+     vertex, L that of the indirect light which the vertex's patch reflects by the field, I that of
+     the pixel in earlier passes, blurred over 5 x 5 pixels and not below a fifth of the image's
+     mean; by albedo where nothing is known. Needs AWD_GUIDE_ADAPTIVE. */
   AWD_ROULETTE_ADJOINT = 3
 };
 
@@ -87,6 +91,16 @@ enum {
      which is monotone and so keeps strata. Every sample by itself is uniform; the film's variance,
      that of independent samples, is then larger than the truth. */
   AWD_POINTS_SOBOL = 2
+};
+
+/* Which light a shadow ray goes to, where lights share them. */
+typedef int32_t AWDLightChoice;
+enum {
+  AWD_LIGHTS_DEFAULT = 0, /* learned if adaptive and the field chooses lights; else by power */
+  AWD_LIGHTS_POWER = 1,
+  /* As the field has learned (awd/light.h), among 16 groups where there are more lights. Needs
+     AWD_GUIDE_ADAPTIVE, and a field that knows the scene's lights: awdNewSceneField makes one. */
+  AWD_LIGHTS_LEARNED = 2
 };
 
 typedef struct AWDRenderDesc {
@@ -106,18 +120,26 @@ typedef struct AWDRenderDesc {
   /* Of film, pass and field together; 0: no limit. An image that takes more by itself is refused;
      the field splits no patch beyond the rest, which replaces a larger maxBytes of its own. */
   uint64_t maxBytes;
+  uint32_t maxSplit; /* of the roulette adjoint: rays a vertex, at most 64; 1: none; 0: 8 */
+  AWDLightChoice lights;
 } AWDRenderDesc;
 
 #ifdef __cplusplus
 #define AWD_RENDER_DESC_INIT                                                                       \
-  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0, 0u }
+  AWDRenderDesc { sizeof(AWDRenderDesc), nullptr, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0, 0u, 0u, 0 }
 #else
 #define AWD_RENDER_DESC_INIT                                                                       \
-  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0, 0u }
+  { sizeof(AWDRenderDesc), NULL, 0, 0, 0, 0, 0u, 0u, 0u, 0, 0, 0u, 0u, 0 }
 #endif
 
+/* awdNewField, for renders of a committed scene: a box and lights that desc leaves open are those
+   of the scene, each light by its power, or 16 groups of about equal power where there are more.
+   desc NULL: all defaults. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdNewSceneField(AWDScene scene, const AWDFieldDesc* desc,
+                                               AWDField* field) AWD_NOEXCEPT;
+
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
-   alone; NULL: one of the render's own, made by the same preset, with the scene's box. Its scale is
+   alone; NULL: one of the render's own, made by the same preset (awdNewSceneField). Its scale is
    set from the lights.
    Free, but exclusive for the field. */
 AWD_EXPORT AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field,

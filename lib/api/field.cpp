@@ -4,12 +4,25 @@
 #include <cmath>
 
 #include "api/field_checks.h"
+#include "api/field_maker.h"
 #include "api/handles.h"
 #include "basis/device.h"
 #include "density/refit_solvers.h"
 #include "guide/field.h"
 
 using namespace awd;
+
+Ref<Field> awd::makeField(Device& device, const AWDFieldDesc& desc) {
+  Registry& registry = device.registry();
+  const AWDBasisFamily& family =
+      registry.find(desc.basis ? desc.basis : defaultFieldBasis(desc.preset));
+  FieldSettings settings = settle(device.context().memory(), desc, family);
+  if (settings.learning.estimator == AWD_ESTIMATOR_REFIT) {
+    settings.learning.refitter.solver =
+        &findRefitSolver(refitFolders(registry.ignoresEnvironment()), desc.refitSolver);
+  }
+  return Field::make(device.shareContext(), family, settings);
+}
 
 extern "C" {
 
@@ -20,14 +33,7 @@ AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
     Device& owner = object(device, "device");
     AWDFieldDesc known = AWD_FIELD_DESC_INIT;
     if (desc) known = readStruct(desc, "desc", "AWD_FIELD_DESC_INIT");
-    const AWDBasisFamily& family =
-        owner.registry().find(known.basis ? known.basis : defaultFieldBasis(known.preset));
-    FieldSettings settings = settle(known, family);
-    if (settings.learning.estimator == AWD_ESTIMATOR_REFIT) {
-      settings.learning.refitter.solver =
-          &findRefitSolver(refitFolders(owner.registry().ignoresEnvironment()), known.refitSolver);
-    }
-    give(field, Field::make(owner.shareContext(), family, settings));
+    give(field, makeField(owner, known));
   });
 }
 
@@ -148,6 +154,27 @@ AWDResult AWD_CALL awdGetPatchMean(AWDField field, uint32_t patch, float* mean) 
     const PatchView view = known.view(patch);
     const bool kept = known.settings().learning.estimator != AWD_ESTIMATOR_PAPER;
     *out = view.known && kept ? view.mean : -1.0f;
+  });
+}
+
+AWDResult AWD_CALL awdGetContinuation(AWDField field, uint32_t patch, float throughput,
+                                      float expected, uint32_t maxSplit, float* rays) noexcept {
+  return guard(__func__, [&] {
+    const Field& known = object(field, "field");
+    float* out = need(rays, "rays");
+    if (!(throughput >= 0.0f && std::isfinite(throughput))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "throughput is %g: it must be finite and not negative",
+           throughput);
+    }
+    if (!(expected > 0.0f && std::isfinite(expected))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT, "expected is %g: it must be positive and finite", expected);
+    }
+    const uint32_t most = settleSplit(maxSplit, "maxSplit");
+    const PatchView view = known.view(patch);
+    const bool kept = known.settings().learning.estimator != AWD_ESTIMATOR_PAPER;
+    *out = view.known && kept
+               ? continuation(throughput, view.mean, expected, static_cast<float>(most))
+               : -1.0f;
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "api/field_maker.h"
 #include "api/handles.h"
 #include "render/render.h"
 
@@ -27,15 +28,21 @@ struct Strides {
   }
 };
 
-/// What an adaptive render without a field of the host's learns in.
-Ref<Field> ownField(Scene& scene, AWDPreset preset) {
-  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
-  desc.preset = preset;
+/// With the scene's box and lights, where these are left open.
+Ref<Field> makeSceneField(Scene& scene, AWDFieldDesc desc) {
   const AWDSceneInfo info = scene.geometry().info();
-  std::copy(info.lower, info.lower + 3, desc.lower);
-  std::copy(info.upper, info.upper + 3, desc.upper);
-  const AWDBasisFamily& family = scene.device().registry().find(defaultFieldBasis(preset));
-  return Field::make(scene.device().shareContext(), family, settle(desc, family));
+  if (load(desc.lower) == Vec3f{} && load(desc.upper) == Vec3f{}) {
+    std::copy(info.lower, info.lower + 3, desc.lower);
+    std::copy(info.upper, info.upper + 3, desc.upper);
+  }
+  const Lights& lights = scene.geometry().lights();
+  std::pmr::vector<float> powers(scene.device().context().memory());
+  if (desc.lightCount == 0 && lights.groups() > 1 && desc.preset != AWD_PRESET_PAPER) {
+    for (uint32_t g = 0; g < lights.groups(); ++g) powers.push_back(lights.groupChance(g));
+    desc.lightCount = lights.groups();
+    desc.lightPowers = powers.data();
+  }
+  return makeField(scene.device(), desc);
 }
 
 }  // namespace
@@ -55,11 +62,32 @@ AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field, const AWDRenderD
     if (field && &behind(field)->context() != &known.device().context()) {
       fail(AWD_ERROR_INVALID_ARGUMENT, "field is of another device than scene");
     }
+    const uint32_t groups = geometry->lights().groups();
+    if (field && settings.lights == AWD_LIGHTS_LEARNED && behind(field)->lights() != groups) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "desc->lights is AWD_LIGHTS_LEARNED: the scene has %u groups of lights, and field was "
+           "made with lightCount %u",
+           groups, behind(field)->lights());
+    }
     Ref<Field> learner;
     if (settings.guide == AWD_GUIDE_ADAPTIVE) {
-      learner = field ? Ref<Field>::share(behind(field)) : ownField(known, settings.preset);
+      AWDFieldDesc own = AWD_FIELD_DESC_INIT;
+      own.preset = settings.preset;
+      learner = field ? Ref<Field>::share(behind(field)) : makeSceneField(known, own);
     }
     give(render, Render::make(known.device().shareContext(), geometry, learner, settings));
+  });
+}
+
+AWDResult AWD_CALL awdNewSceneField(AWDScene scene, const AWDFieldDesc* desc,
+                                    AWDField* field) noexcept {
+  return guard(__func__, [&] {
+    clearOutput(field, "field");
+    Scene& known = object(scene, "scene");
+    known.geometry();  // fails unless the scene is committed
+    AWDFieldDesc settings = AWD_FIELD_DESC_INIT;
+    if (desc) settings = readStruct(desc, "desc", "AWD_FIELD_DESC_INIT");
+    give(field, makeSceneField(known, settings));
   });
 }
 

@@ -29,7 +29,7 @@ Field::Field(Ref<Context> context, const AWDBasisFamily& family, const FieldSett
       settings_(settings),
       learning_(context_->memory(), settings_,
                 compile(context_->memory(), family, settings.maxLevel)),
-      unitExponent_(FixedSums::unitExponentFor(1.0)),
+      units_(PatchUnits::of(1.0)),
       lastPass_(),
       table_(context_->memory()),
       views_(context_->memory()) {
@@ -63,6 +63,7 @@ PatchView Field::viewOf(uint32_t key) const {
   view.density = &current;
   view.nodalTables = current.nodal().data();
   view.nodalCells = static_cast<uint16_t>(current.level().cells);
+  view.lights = origin ? learning_.lights(origin->known) : learning_.lights();
   if (!origin) return view;
   if (const Patch* patch = table_.find(key)) view.statistics = patch->statistics.get();
   view.mean = static_cast<float>(origin->known.mean);
@@ -124,22 +125,27 @@ Patch& Field::touch(uint32_t key) {
     const PatchKnowledge known = from ? from->known : PatchKnowledge();
     Patch* made =
         awd::make<Patch>(memory, memory,
-                         learning_.freshStatistics(
-                             density(known).level(),
-                             from ? from->statistics->common().unitExponent() : unitExponent_));
+                         learning_.freshStatistics(density(known).level(),
+                                                   from ? from->statistics->units() : units_));
     // A part of a patch that had no sample there: its density, to begin with, and no more.
     made->known.density = known.density;
+    made->known.lights = known.lights;
+    made->known.lightShare = 0.0;
     made->known.alpha = known.alpha;
     return made;
   });
 }
 
-void Field::checkRecord(uint32_t patch, const AWDDirectionSample& sample) const {
+void Field::checkPatch(uint32_t patch) const {
   if (tree_ && keyOf(patch) >= tree_->leaves()) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "patch is %u: the field has none of this number; ask awdFindPatch again after each adapt",
          patch);
   }
+}
+
+void Field::checkRecord(uint32_t patch, const AWDDirectionSample& sample) const {
+  checkPatch(patch);
   if (settings_.sampler() != AWD_SAMPLER_COMPONENT) return;
   const std::size_t components = density(patch).coefficients().size();
   if (sample.component >= components) {
@@ -164,37 +170,56 @@ void Field::reject(uint32_t patch) {
 }
 
 void Field::setScale(double magnitude) {
-  unitExponent_ = FixedSums::unitExponentFor(magnitude);
+  units_ = PatchUnits::of(magnitude);
   table_.forEach([&](uint32_t, Patch& patch) {
     if (patch.hasBeenSeen()) return;
-    patch.statistics = learning_.freshStatistics(density(patch.known).level(), unitExponent_);
+    patch.statistics = learning_.freshStatistics(density(patch.known).level(), units_);
   });
 }
 
-Field::Successor Field::succeed(uint32_t key, Patch& patch, const Refitter& refitter) const {
+bool Field::mayRefine(const std::pmr::vector<std::pair<uint32_t, Patch*>>& patches) const {
+  if (settings_.maxBytes == std::numeric_limits<uint64_t>::max()) return true;
+  uint64_t bytes = statistics().bytes - table_.bytes();
+  // Finding out takes a density of each level.
+  std::pmr::vector<std::size_t> ofLevels(context_->memory());
+  for (const auto& [key, patch] : patches) {
+    const BasisLevel& level = density(patch->known).level();
+    while (ofLevels.size() <= level.level) {
+      const auto next = static_cast<uint32_t>(ofLevels.size());
+      const bool used = next >= settings_.startLevel;
+      ofLevels.push_back(used ? learning_.bytesToRefine(family().level(next)) : 0);
+    }
+    bytes += ofLevels[level.level];
+  }
+  return bytes <= settings_.maxBytes;
+}
+
+Field::Successor Field::succeed(uint32_t key, Patch& patch, bool mayRefine,
+                                const Refitter& refitter) const {
   const BasisLevel& level = density(patch.known).level();
   const PatchStatistics* statistics = patch.statistics.get();
   Owned<PatchStatistics> whole(nullptr, {context_->memory()});
   if (patch.marked) {
-    whole = learning_.freshStatistics(level, statistics->common().unitExponent());
+    whole = learning_.freshStatistics(level, statistics->units());
     whole->add(*patch.marked);
     whole->add(*statistics);
     statistics = whole.get();
   }
   const FixedSums& common = statistics->common();
   RefitReport refit;
-  PatchKnowledge known = learning_.learn(patch.known, level, *statistics, refitter, refit);
+  PatchKnowledge known =
+      learning_.learn(patch.known, level, *statistics, mayRefine, refitter, refit);
   const BasisLevel& next = density(known).level();
-  const int unitExponent = common.largest() > 0.0
-                               ? FixedSums::unitExponentFor(statistics->magnitude())
-                               : common.unitExponent();
+  std::array<uint64_t, kRejections> rejected = common.rejections();
+  const auto ofLights = statistics->lights().rejections();
+  for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += ofLights[i];
   return {key,
           &patch,
           std::move(known),
-          learning_.freshStatistics(next, unitExponent),
+          learning_.freshStatistics(next, statistics->nextUnits()),
           statistics->samples(),
-          common.rejections(),
-          common.saturated(),
+          rejected,
+          common.saturated() + statistics->lights().saturated(),
           std::move(refit)};
 }
 
@@ -202,10 +227,11 @@ std::pmr::vector<Field::Successor> Field::learnAll() {
   std::pmr::memory_resource* memory = context_->memory();
   std::pmr::vector<std::pair<uint32_t, Patch*>> sampled(memory);
   table_.forEach([&](uint32_t key, Patch& patch) {
-    if (patch.samples() > 0) sampled.emplace_back(key, &patch);
+    if (patch.hasRecords()) sampled.emplace_back(key, &patch);
   });
   std::pmr::vector<std::optional<Successor>> made(sampled.size(), memory);
 
+  const bool refine = mayRefine(sampled);
   const bool refits = settings_.learning.estimator == AWD_ESTIMATOR_REFIT;
   const std::size_t each = refits ? 1 : 64;  // a refit takes long
   const std::size_t blocks = (sampled.size() + each - 1) / each;
@@ -219,7 +245,7 @@ std::pmr::vector<Field::Successor> Field::learnAll() {
     if (progress.cancelled()) return;
     const std::size_t end = std::min(sampled.size(), (block + 1) * each);
     for (std::size_t i = block * each; i < end; ++i) {
-      made[i] = succeed(sampled[i].first, *sampled[i].second, refitter);
+      made[i] = succeed(sampled[i].first, *sampled[i].second, refine, refitter);
     }
     progress.step();
   });
@@ -281,7 +307,7 @@ AWDFieldStatistics Field::statistics() const {
   AWDFieldStatistics figures = lastPass_;
   figures.bytes = sizeof *this + table_.bytes() + learning_.bytes() + (tree_ ? tree_->bytes() : 0);
   table_.forEach([&](uint32_t, const Patch& patch) {
-    figures.bytes += patch.bytes() + (patch.known.density ? patch.known.density->bytes() : 0);
+    figures.bytes += patch.bytes() + memoryOf(patch.known);
     if (!patch.hasBeenSeen()) return;
     ++figures.patches;
     figures.coefficients += density(patch.known).coefficients().size();
@@ -293,10 +319,9 @@ void Field::mark() {
   std::pmr::memory_resource* memory = context_->memory();
   std::pmr::vector<std::pair<Patch*, Owned<PatchStatistics>>> fresh(memory);
   table_.forEach([&](uint32_t, Patch& patch) {
-    if (patch.marked || patch.statistics->samples() == 0) return;
-    fresh.emplace_back(&patch,
-                       learning_.freshStatistics(density(patch.known).level(),
-                                                 patch.statistics->common().unitExponent()));
+    if (patch.marked || patch.statistics->isEmpty()) return;
+    fresh.emplace_back(
+        &patch, learning_.freshStatistics(density(patch.known).level(), patch.statistics->units()));
   });
   // Nothing below can fail.
   table_.forEach([&](uint32_t, Patch& patch) {

@@ -10,6 +10,7 @@
 
 #include "awd/field.h"
 #include "density/finders.h"
+#include "guide/continuation.h"
 #include "guide/field_settings.h"
 #include "guide/hemisphere.h"
 #include "guide/patch.h"
@@ -25,6 +26,7 @@ namespace awd {
 struct PatchView {
   const SquareDensity* density = nullptr;
   PatchStatistics* statistics = nullptr;  ///< null: the patch has not been made yet
+  const LightChoice* lights = nullptr;    ///< null: of a field that chooses none
   const float* nodalTables = nullptr;     ///< of nodal()
   float mean = 0.0f;  ///< of f/p: the radiance reflected, in the units of what is recorded
   uint16_t nodalCells = 0;
@@ -48,6 +50,8 @@ class Field final : public RefCounted {
   const FieldSettings& settings() const { return settings_; }
   const Family& family() const { return learning_.family(); }
   bool isSpatial() const { return tree_.has_value(); }
+  /// How many lights its patches choose among; 0: they don't.
+  uint32_t lights() const { return settings_.lights ? settings_.lights->lights() : 0; }
 
   /// The number of the patch at a point of a surface; only of a spatial field.
   uint32_t findPatch(Vec3f point, Vec3f normal) const { return tree_->find(point, normal); }
@@ -79,6 +83,13 @@ class Field final : public RefCounted {
   }
   void record(uint32_t patch, const PatchView& view, const AWDDirectionSample& sample,
               double value);
+  /// What a shadow ray to that light brought, not divided by the chance of the light.
+  void recordLight(uint32_t patch, const PatchView& view, uint32_t light, double value) {
+    PatchStatistics& sums = view.statistics ? *view.statistics : *touch(keyOf(patch)).statistics;
+    sums.recordLight(light, value);
+  }
+  /// Fails if the field can't have a patch of this number.
+  void checkPatch(uint32_t patch) const;
   /// Fails as record() would for a patch or component that can't be.
   void checkRecord(uint32_t patch, const AWDDirectionSample& sample) const;
   /// A sample of the patch whose pdf makes no sense.
@@ -135,7 +146,14 @@ class Field final : public RefCounted {
     double weight;
   };
 
-  Successor succeed(uint32_t key, Patch& patch, const Refitter& refitter) const;
+  Successor succeed(uint32_t key, Patch& patch, bool mayRefine, const Refitter& refitter) const;
+  /// Whether there is memory for all of these patches to be refined.
+  bool mayRefine(const std::pmr::vector<std::pair<uint32_t, Patch*>>& patches) const;
+  /// Of the density and the choice of lights that are not the field's own.
+  static std::size_t memoryOf(const PatchKnowledge& known) {
+    return (known.density ? known.density->bytes() : 0) +
+           (known.lights ? known.lights->bytes() : 0);
+  }
   std::pmr::vector<Successor> learnAll();
   /// At how many samples a leaf is split, when there are so many leaves.
   double patchSamples(uint32_t leaves) const;
@@ -159,7 +177,7 @@ class Field final : public RefCounted {
   Patch& touch(uint32_t key);
 
   Owned<PatchStatistics> getStatistics(ByteReader& reader, const BasisLevel& level,
-                                       int unitExponent) const;
+                                       PatchUnits units) const;
   void checkMerge(const Field& other) const;
   /// Fails unless the patch of that key is the same in both, but for what was recorded.
   void checkMerge(const Field& other, uint32_t key) const;
@@ -168,7 +186,7 @@ class Field final : public RefCounted {
   FieldSettings settings_;
   PatchLearning learning_;
   Ref<SquareDensity> start_;
-  int unitExponent_;
+  PatchUnits units_;             ///< of patches that know nothing yet
   AWDFieldStatistics lastPass_;  ///< of the last adapt: all but patches, coefficients and bytes
   std::optional<SpatialTree> tree_;
   PatchTable<Patch> table_;

@@ -14,7 +14,7 @@ namespace awd {
 namespace {
 
 constexpr char kMagic[] = "AWDFIELD";
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr std::size_t kLongestName = 64;
 constexpr uint32_t kMostSplits = 1u << 28;
 /// Of units, with room for that of any double.
@@ -24,6 +24,17 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr uint32_t kStart = 0xffffffffu;
 /// A patch at least.
 constexpr std::size_t kLeastPatch = 48;
+
+void putUnits(ByteWriter& writer, PatchUnits units) {
+  writer.put(static_cast<int32_t>(units.values));
+  writer.put(static_cast<int32_t>(units.lights));
+}
+
+PatchUnits getUnits(ByteReader& reader) {
+  const auto exponent = [&] { return reader.get<int32_t>(-kFarthestExponent, kFarthestExponent); };
+  const int values = exponent();
+  return {values, exponent()};
+}
 
 void put(ByteWriter& writer, Vec3f v) {
   for (const float x : {v.x, v.y, v.z}) writer.put(static_cast<double>(x));
@@ -39,7 +50,7 @@ Vec3f getVector(ByteReader& reader) {
 void putSettings(ByteWriter& writer, const FieldSettings& settings, const Family& family) {
   // Names all members: with one more this doesn't compile until that is saved too.
   const auto& [preset, map, startLevel, maxLevel, learning, alpha, patches, lower, upper,
-               patchSamples, maxBytes] = settings;
+               patchSamples, maxBytes, lights] = settings;
   writer.putText(family.name());
   const AWDRefitSolver* solver = learning.refitter.solver;
   writer.putText(solver ? solver->name : "");
@@ -58,9 +69,12 @@ void putSettings(ByteWriter& writer, const FieldSettings& settings, const Family
   put(writer, upper);
   writer.put(patchSamples);
   writer.put(maxBytes);
+  writer.put(lights ? lights->lights() : 0u);
+  if (lights) lights->put(writer);
 }
 
-FieldSettings getSettings(ByteReader& reader, const Finders& find, const AWDBasisFamily*& family) {
+FieldSettings getSettings(ByteReader& reader, std::pmr::memory_resource* memory,
+                          const Finders& find, const AWDBasisFamily*& family) {
   const std::string basis(reader.getText(kLongestName));
   const std::string solver(reader.getText(kLongestName));
   family = &find.family(find.user, basis.c_str());
@@ -82,6 +96,9 @@ FieldSettings getSettings(ByteReader& reader, const Finders& find, const AWDBasi
   settings.upper = getVector(reader);
   settings.patchSamples = reader.get<uint32_t>(1, UINT32_MAX);
   settings.maxBytes = reader.get<uint64_t>();
+  if (const auto lights = reader.get<uint32_t>(0, AWD_MOST_FIELD_LIGHTS)) {
+    settings.lights = LightChoice::get(reader, memory, lights);
+  }
   const Vec3f size = settings.upper - settings.lower;
   if (!isFinite(size) || size.x < 0.0f || size.y < 0.0f || size.z < 0.0f) reader.damaged();
   if (learning.estimator == AWD_ESTIMATOR_REFIT) {
@@ -148,19 +165,26 @@ Coefficients getCoefficients(ByteReader& reader, std::pmr::memory_resource* memo
 
 void putKnowledge(ByteWriter& writer, const PatchKnowledge& known) {
   // As above; densities are shared, and saved on their own.
-  const auto& [density, weight, mean, alpha, eighths] = known;
-  for (const double x : {weight, mean, alpha}) writer.put(x);
+  const auto& [density, weight, mean, alpha, eighths, lights, lightShare] = known;
+  for (const double x : {weight, mean, alpha, lightShare}) writer.put(x);
   for (const uint64_t count : eighths) writer.putPacked(count);
+  writer.put(static_cast<uint8_t>(lights.get() != nullptr));
+  if (lights) lights->put(writer);
 }
 
-PatchKnowledge getKnowledge(ByteReader& reader, Ref<SquareDensity> density) {
+PatchKnowledge getKnowledge(ByteReader& reader, std::pmr::memory_resource* memory,
+                            Ref<SquareDensity> density, uint32_t lights) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();  // of sums beyond doubles
   PatchKnowledge known;
   known.density = std::move(density);
   known.weight = reader.get(0.0, kLargest);
   known.mean = reader.get(0.0, kInfinity);
   known.alpha = reader.get(0.0, 1.0);
+  known.lightShare = reader.get(0.0, 1.0);
   for (uint64_t& count : known.eighths) count = reader.getPacked();
+  if (reader.get<uint8_t>(0, lights > 0 ? 1 : 0)) {
+    known.lights = LightChoice::get(reader, memory, lights);
+  }
   return known;
 }
 
@@ -170,7 +194,7 @@ std::pmr::vector<char> Field::bytesOf() const {
   std::pmr::memory_resource* memory = context_->memory();
   ByteWriter writer(memory, kMagic, kVersion);
   putSettings(writer, settings_, family());
-  writer.put(static_cast<int32_t>(unitExponent_));
+  putUnits(writer, units_);
   putFigures(writer, lastPass_);
   if (tree_) putTree(writer, *tree_);
   writer.put(static_cast<uint8_t>(!views_.empty()));
@@ -201,7 +225,7 @@ std::pmr::vector<char> Field::bytesOf() const {
     writer.put(patch.learned);
     writer.put(static_cast<uint8_t>(patch.seen));
     writer.put(static_cast<uint8_t>(key < views_.size() && views_[key].statistics));
-    writer.put(static_cast<int32_t>(patch.statistics->common().unitExponent()));
+    putUnits(writer, patch.statistics->units());
     patch.statistics->put(writer);
     writer.put(static_cast<uint8_t>(patch.marked != nullptr));
     if (patch.marked) patch.marked->put(writer);
@@ -210,10 +234,10 @@ std::pmr::vector<char> Field::bytesOf() const {
 }
 
 Owned<PatchStatistics> Field::getStatistics(ByteReader& reader, const BasisLevel& level,
-                                            int unitExponent) const {
+                                            PatchUnits units) const {
   // Every sum takes a byte at least: no patch is given more memory than its bytes answer for.
   if (reader.remaining() < std::size_t{level.count} * level.count) reader.damaged();
-  Owned<PatchStatistics> statistics = learning_.freshStatistics(level, unitExponent);
+  Owned<PatchStatistics> statistics = learning_.freshStatistics(level, units);
   statistics->get(reader);
   return statistics;
 }
@@ -223,9 +247,9 @@ Ref<Field> Field::load(Ref<Context> context, const void* bytes, std::size_t size
   std::pmr::memory_resource* memory = context->memory();
   ByteReader reader(bytes, size, kMagic, kVersion, "a saved field");
   const AWDBasisFamily* family;
-  const FieldSettings settings = getSettings(reader, find, family);
+  const FieldSettings settings = getSettings(reader, memory, find, family);
   Ref<Field> field = make(std::move(context), *family, settings);
-  field->unitExponent_ = reader.get<int32_t>(-kFarthestExponent, kFarthestExponent);
+  field->units_ = getUnits(reader);
   field->lastPass_ = getFigures(reader);
   if (field->tree_) getTree(reader, *field->tree_);
   const bool adapted = reader.get<uint8_t>(0, field->tree_ ? 1 : 0) != 0;
@@ -257,15 +281,16 @@ Ref<Field> Field::load(Ref<Context> context, const void* bytes, std::size_t size
     const auto number = reader.get<uint32_t>();
     if (number != kStart && number >= densities.size()) reader.damaged();
     PatchKnowledge known =
-        getKnowledge(reader, number == kStart ? Ref<SquareDensity>() : densities[number]);
+        getKnowledge(reader, memory, number == kStart ? Ref<SquareDensity>() : densities[number],
+                     field->lights());
     const auto learned = reader.get<uint64_t>();
     const bool seen = reader.get<uint8_t>(0, 1) != 0;
     const bool viewed = reader.get<uint8_t>(0, adapted ? 1 : 0) != 0;
-    const auto unit = reader.get<int32_t>(-kFarthestExponent, kFarthestExponent);
+    const PatchUnits units = getUnits(reader);
     const BasisLevel& level = field->density(known).level();
     Owned<Patch> patch =
-        makeOwned<Patch>(memory, memory, field->getStatistics(reader, level, unit));
-    if (reader.get<uint8_t>(0, 1)) patch->marked = field->getStatistics(reader, level, unit);
+        makeOwned<Patch>(memory, memory, field->getStatistics(reader, level, units));
+    if (reader.get<uint8_t>(0, 1)) patch->marked = field->getStatistics(reader, level, units);
     patch->known = std::move(known);
     patch->learned = learned;
     patch->seen = seen;

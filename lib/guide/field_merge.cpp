@@ -35,6 +35,9 @@ void checkSettings(const FieldSettings& a, const FieldSettings& b) {
   check(a.patches == b.patches && a.patchSamples == b.patchSamples, "the kind of its patches");
   check(a.lower == b.lower && a.upper == b.upper, "its box");
   check(a.maxBytes == b.maxBytes, "maxBytes");
+  const uint32_t lights = a.lights ? a.lights->lights() : 0;
+  check(lights == (b.lights ? b.lights->lights() : 0), "lightCount");
+  check(lights == 0 || *a.lights == *b.lights, "lightPowers");
 }
 
 void checkTrees(const SpatialTree& a, const SpatialTree& b) {
@@ -46,7 +49,10 @@ void checkTrees(const SpatialTree& a, const SpatialTree& b) {
 }
 
 bool sameKnowledge(const PatchKnowledge& a, const PatchKnowledge& b) {
-  return a.weight == b.weight && a.mean == b.mean && a.alpha == b.alpha && a.eighths == b.eighths;
+  const bool sameLights =
+      a.lights && b.lights ? *a.lights == *b.lights : a.lights.get() == b.lights.get();
+  return a.weight == b.weight && a.mean == b.mean && a.alpha == b.alpha && a.eighths == b.eighths &&
+         sameLights && a.lightShare == b.lightShare;
 }
 
 bool sameDensity(const SquareDensity& a, const SquareDensity& b) {
@@ -75,9 +81,9 @@ void Field::checkMerge(const Field& other, uint32_t key) const {
   }
   const auto unitOf = [key](const Field& field) {
     const Patch* nearest = field.nearest(key);
-    return nearest ? nearest->statistics->common().unitExponent() : field.unitExponent_;
+    return nearest ? nearest->statistics->units() : field.units_;
   };
-  if (unitOf(*this) != unitOf(other)) {
+  if (!(unitOf(*this) == unitOf(other))) {
     differs("the scale of its values (awdSetFieldScale)");
   }
 }
@@ -86,7 +92,7 @@ void Field::checkMerge(const Field& other) const {
   if (&other == this) fail(AWD_ERROR_INVALID_ARGUMENT, "other is field itself");
   if (family().name() != other.family().name()) differs("its basis");
   checkSettings(settings_, other.settings_);
-  if (unitExponent_ != other.unitExponent_) differs("the scale of its values (awdSetFieldScale)");
+  if (!(units_ == other.units_)) differs("the scale of its values (awdSetFieldScale)");
   if (tree_) checkTrees(*tree_, *other.tree_);
   table_.forEach([&](uint32_t key, const Patch&) { checkMerge(other, key); });
   other.table_.forEach([&](uint32_t key, const Patch&) { checkMerge(other, key); });

@@ -2,6 +2,7 @@
 #include "guide/field_settings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "density/settings.h"
 #include "util/error.h"
@@ -14,7 +15,8 @@ namespace {
 constexpr uint32_t kPaperStartLevel = 2;
 constexpr uint32_t kPaperMaxLevel = 4;
 constexpr double kPaperTau = 0.05;
-constexpr uint32_t kDefaultLevel = 3;
+constexpr uint32_t kDefaultStartLevel = 3;
+constexpr uint32_t kDefaultMaxLevel = 4;
 constexpr double kDefaultTau = 0.3;  ///< of the estimators that know no alpha
 constexpr double kDefaultAlpha = 0.1;
 constexpr uint32_t kDefaultPatchSamples = 2000;
@@ -42,10 +44,10 @@ void check(int32_t value, int32_t most, const char* name) {
 
 void settleLevels(const AWDFieldDesc& desc, const AWDBasisFamily& family, FieldSettings& settings) {
   const bool paper = desc.preset == AWD_PRESET_PAPER;
-  settings.maxLevel =
-      settleLevel(desc.maxLevel, "desc->maxLevel", paper ? kPaperMaxLevel : kDefaultLevel, family);
+  settings.maxLevel = settleLevel(desc.maxLevel, "desc->maxLevel",
+                                  paper ? kPaperMaxLevel : kDefaultMaxLevel, family);
   settings.startLevel = settleLevel(desc.startLevel, "desc->startLevel",
-                                    paper ? kPaperStartLevel : kDefaultLevel, family);
+                                    paper ? kPaperStartLevel : kDefaultStartLevel, family);
   if (settings.startLevel <= settings.maxLevel) return;
   // An explicit bound at one end moves the preset's value at the other.
   if (desc.startLevel && desc.maxLevel) {
@@ -84,6 +86,30 @@ void settlePatches(const AWDFieldDesc& desc, FieldSettings& settings) {
   if (desc.maxBytes) settings.maxBytes = desc.maxBytes;
 }
 
+/// The prior; by equal powers where none are given.
+Ref<LightChoice> settleLights(std::pmr::memory_resource* memory, const AWDFieldDesc& desc) {
+  if (desc.lightCount == 0) return {};
+  if (desc.lightCount > AWD_MOST_FIELD_LIGHTS) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "desc->lightCount is %u: a field tells at most %d apart; give groups of lights",
+         desc.lightCount, AWD_MOST_FIELD_LIGHTS);
+  }
+  const std::pmr::vector<float> equal(desc.lightPowers ? 0 : desc.lightCount, 1.0f, memory);
+  const float* powers = desc.lightPowers ? desc.lightPowers : equal.data();
+  double sum = 0.0;
+  for (uint32_t i = 0; i < desc.lightCount; ++i) {
+    if (!(powers[i] >= 0.0f && std::isfinite(powers[i]))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "desc->lightPowers[%u] is %g: powers must be finite and not negative", i, powers[i]);
+    }
+    sum += static_cast<double>(powers[i]);
+  }
+  if (!(sum > 0.0)) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "desc->lightPowers are all 0: one must be positive");
+  }
+  return LightChoice::make(memory, powers, desc.lightCount);
+}
+
 }  // namespace
 
 uint32_t finestFieldLevel(const AWDBasisFamily& family) {
@@ -94,7 +120,8 @@ const char* defaultFieldBasis(AWDPreset preset) {
   return preset == AWD_PRESET_PAPER ? "haar" : "linear-bspline";
 }
 
-FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
+FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc,
+                     const AWDBasisFamily& family) {
   check(desc.preset, AWD_PRESET_PAPER, "preset");
   check(desc.map, AWD_MAP_COSINE, "map");
   check(desc.patches, AWD_PATCHES_HOST, "patches");
@@ -122,6 +149,7 @@ FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family) {
   settings.alpha = std::max(alpha, 0.0);
   settleShrinkage(desc.shrinkage, family.order == 1, learning);
   learning.maxCoefficients = UINT64_MAX;
+  settings.lights = settleLights(memory, desc);
   return settings;
 }
 

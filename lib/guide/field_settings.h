@@ -6,6 +6,7 @@
 
 #include "awd/field.h"
 #include "density/learning.h"
+#include "guide/light_choice.h"
 #include "util/vec.h"
 
 namespace awd {
@@ -21,6 +22,7 @@ struct FieldSettings {
   Vec3f lower, upper;         ///< of spatial patches
   uint32_t patchSamples = 0;  ///< beyond which a spatial patch is split
   uint64_t maxBytes = std::numeric_limits<uint64_t>::max();
+  Ref<LightChoice> lights;  ///< how patches begin to choose among them; null: they don't
 
   /// Whether a patch adds what a pass has taught to what it knew, as far as the estimate of its
   /// function can be had back from its density.
@@ -39,6 +41,7 @@ uint32_t finestFieldLevel(const AWDBasisFamily& family);
 
 /// Settles what `desc` leaves open, within the levels that the family has. AWD_ERROR_... for what
 /// can't be.
-FieldSettings settle(const AWDFieldDesc& desc, const AWDBasisFamily& family);
+FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc,
+                     const AWDBasisFamily& family);
 
 }  // namespace awd

@@ -10,7 +10,7 @@ namespace awd {
 double Field::patchSamples(uint32_t leaves) const {
   // From here on patches grow as well as their number, each by the square root of the samples'
   // growth or so: beyond the caches of a processor more of them cost more than they bring.
-  constexpr double kManyLeaves = 2048.0;
+  constexpr double kManyLeaves = 512.0;
   return settings_.patchSamples * std::sqrt(std::max(1.0, leaves / kManyLeaves));
 }
 
@@ -23,20 +23,29 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
   const double mostSamples = patchSamples(tree.leaves());
   // Without the table, whose nodes also tell of passes that were given up.
   uint64_t bytes = statistics().bytes - table_.bytes();
+  for (const Successor& next : successors) {
+    bytes += next.statistics->bytes() + memoryOf(next.known);
+    bytes -= next.patch->bytes() - sizeof(Patch) + memoryOf(next.patch->known);
+  }
   for (Successor& next : successors) {
-    const uint64_t each = sizeof(Patch) + next.statistics->bytes() + density(next.known).bytes();
+    const uint64_t each = sizeof(Patch) + next.statistics->bytes() + memoryOf(next.known);
     uint64_t all = 0;
     for (const uint64_t count : next.known.eighths) all += count;
     const PatchKnowledge whole = next.known;
+    const auto settle = [&](const Part& part) {
+      // Counts begin anew in a leaf that is a part of the former one: its eighths are smaller.
+      if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
+      part.known->weight = part.weight;
+      part.known->lightShare =
+          whole.weight > 0.0 ? whole.lightShare * part.weight / whole.weight : whole.lightShare;
+    };
     parts.push_back({next.key, &next.known, 0, SpatialTree::kEighths, all, whole.weight});
     while (!parts.empty()) {
       Part part = parts.back();
       parts.pop_back();
       const bool large = part.weight > mostSamples && part.eighths > 1;
       if (!large || !tree.canSplit(part.leaf)) {
-        // Counts begin anew in a leaf that is a part of the former one: its eighths are smaller.
-        if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
-        part.known->weight = part.weight;
+        settle(part);
         continue;
       }
       const uint32_t half = part.eighths / 2;
@@ -46,8 +55,7 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       if (counts[0] > 0 && counts[1] > 0) {
         if (bytes + each > settings_.maxBytes) {
           ++capped;
-          part.known->weight = part.weight;
-          if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
+          settle(part);
           continue;
         }
         bytes += each;
@@ -60,10 +68,9 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       parts.push_back({part.leaf, part.known, part.firstEighth + keeper * half, half,
                        counts[keeper], share(keeper)});
       if (counts[1 - keeper] == 0) continue;
-      Owned<Patch> made =
-          makeOwned<Patch>(memory, memory,
-                           learning_.freshStatistics(density(whole).level(),
-                                                     next.statistics->common().unitExponent()));
+      Owned<Patch> made = makeOwned<Patch>(
+          memory, memory,
+          learning_.freshStatistics(density(whole).level(), next.statistics->units()));
       made->known = whole;
       made->seen = true;
       made->learned = next.samples;

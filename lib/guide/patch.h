@@ -5,6 +5,7 @@
 #include <memory_resource>
 
 #include "density/square_density.h"
+#include "guide/light_choice.h"
 #include "guide/patch_statistics.h"
 
 namespace awd {
@@ -16,6 +17,8 @@ struct PatchKnowledge {
   double mean = 0.0;           ///< of f/p over them: the integral of f
   double alpha = 1.0;          ///< share of the constant in the density
   PatchStatistics::Eighths eighths{};  ///< samples in each, since the last split
+  Ref<LightChoice> lights;             ///< null: the field's prior
+  double lightShare = 1.0;             ///< of what the lights know, that counts after splits
 };
 
 struct Patch {
@@ -24,13 +27,14 @@ struct Patch {
 
   PatchKnowledge known;
   uint64_t learned = 0;  ///< samples of the pass that the density was last made of
-  bool seen = false;     ///< had a sample in a pass that is over
+  bool seen = false;     ///< had a record in a pass that is over
   Owned<PatchStatistics> statistics;
   Owned<PatchStatistics> marked;  ///< the statistics before the field's mark, if there were any
 
   /// Samples since the last adapt, those before the mark included.
   uint64_t samples() const { return statistics->samples() + (marked ? marked->samples() : 0); }
-  bool hasBeenSeen() const { return seen || samples() > 0; }
+  bool hasRecords() const { return !statistics->isEmpty() || (marked && !marked->isEmpty()); }
+  bool hasBeenSeen() const { return seen || hasRecords(); }
   /// Without the density, which patches may share.
   std::size_t bytes() const {
     return sizeof *this + statistics->bytes() + (marked ? marked->bytes() : 0);

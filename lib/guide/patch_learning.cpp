@@ -17,6 +17,10 @@ constexpr std::size_t kMostRefitBytes = std::size_t{1} << 28;
 /// A patch is refined only when the finer level would have had this many samples a coefficient:
 /// below that its noise costs more than its detail brings.
 constexpr double kSamplesPerCoefficient = 8.0;
+/// Nor, from 8 x 8 cells on, unless the mean of its square is as large as this times the square of
+/// its mean: where light comes evenly, a finer level has nothing to tell.
+constexpr double kContrast = 2.0;
+constexpr uint32_t kTellingLevel = 3;
 /// What the constant counts for beside a patch's own samples.
 constexpr double kPriorSamples = 32.0;
 
@@ -40,18 +44,26 @@ PatchLearning::PatchLearning(std::pmr::memory_resource* memory, const FieldSetti
 }
 
 Owned<PatchStatistics> PatchLearning::freshStatistics(const BasisLevel& level,
-                                                      int unitExponent) const {
+                                                      PatchUnits units) const {
   Ref<NormalPattern> pattern;
   if (!patterns_.empty()) pattern = patterns_[level.level - settings_.startLevel];
   return makeOwned<PatchStatistics>(memory_, memory_, level, settings_.learning.estimator,
-                                    std::move(pattern), unitExponent);
+                                    std::move(pattern), lights() ? lights()->lights() : 0, units);
 }
 
-bool PatchLearning::finerIsDue(uint32_t level, double samples) const {
+bool PatchLearning::finerIsDue(uint32_t level, double samples, const Coefficients& c) const {
   if (level >= settings_.maxLevel) return false;
   if (settings_.preset == AWD_PRESET_PAPER) return true;
   const double n = family().level(level + 1).count;
-  return samples >= kSamplesPerCoefficient * n * n;
+  if (samples < kSamplesPerCoefficient * n * n) return false;
+  if (level < kTellingLevel) return true;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double value : c) {
+    sum += value;
+    squares += value * value;
+  }
+  return squares * static_cast<double>(c.size()) >= kContrast * sum * sum;
 }
 
 Coefficients PatchLearning::lumped(const SquareValues& values, const BasisLevel& level,
@@ -103,13 +115,17 @@ void PatchLearning::pool(const PatchKnowledge& known, double samples, Coefficien
 }
 
 PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLevel& level,
-                                    const PatchStatistics& statistics, const Refitter& refitter,
-                                    RefitReport& report) const {
+                                    const PatchStatistics& statistics, bool mayRefine,
+                                    const Refitter& refitter, RefitReport& report) const {
   PatchKnowledge next = known;
   const auto eighths = statistics.eighths();
   for (std::size_t i = 0; i < eighths.size(); ++i) next.eighths[i] += eighths[i];
-  if (statistics.common().overflowed()) return next;
+  if (const LightSums& found = statistics.lights(); found.samples() > 0 && !found.overflowed()) {
+    next.lights = lights(known)->learn(*lights(), found, known.lightShare);
+    next.lightShare = 1.0;
+  }
   const auto samples = static_cast<double>(statistics.samples());
+  if (samples == 0.0 || statistics.common().overflowed()) return next;
   next.weight = known.weight + samples;
   next.mean = (known.mean * known.weight + statistics.mean() * samples) / next.weight;
 
@@ -123,7 +139,7 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
     }
   }
   uint32_t l = level.level;
-  if (finerIsDue(l, next.weight)) {
+  if (mayRefine && finerIsDue(l, next.weight, c)) {
     c = refineTo(*bases_, {l, l}, {l + 1, l + 1}, c);
     ++l;
   }
@@ -137,6 +153,16 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
   }
   next.density = SquareDensity::make(made, settings_.sampler(), std::move(c));
   return next;
+}
+
+std::size_t PatchLearning::bytesToRefine(const BasisLevel& level) const {
+  if (level.level >= settings_.maxLevel) return 0;
+  const auto bytesOf = [&](const BasisLevel& on) {
+    const Coefficients constant(std::size_t{on.count} * on.count, 1.0, memory_);
+    return freshStatistics(on, PatchUnits::of(1.0))->bytes() +
+           SquareDensity::make(on, settings_.sampler(), constant)->bytes();
+  };
+  return bytesOf(family().level(level.level + 1)) - bytesOf(level);
 }
 
 std::size_t PatchLearning::bytes() const {

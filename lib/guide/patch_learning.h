@@ -16,14 +16,22 @@ class PatchLearning {
 
   const Family& family() const { return bases_->family(0); }
   const BasisLevel& startLevel() const { return family().level(settings_.startLevel); }
-  Owned<PatchStatistics> freshStatistics(const BasisLevel& level, int unitExponent) const;
+  Owned<PatchStatistics> freshStatistics(const BasisLevel& level, PatchUnits units) const;
+
+  /// How the lights are chosen where nothing is known; null: the field chooses none.
+  const LightChoice* lights() const { return settings_.lights.get(); }
+  const LightChoice* lights(const PatchKnowledge& known) const {
+    return known.lights ? known.lights.get() : lights();
+  }
 
   /// What a patch with a density on `level` knows after a pass; `known` with the new samples but
   /// the former density if they were of no use for one.
   PatchKnowledge learn(const PatchKnowledge& known, const BasisLevel& level,
-                       const PatchStatistics& statistics, const Refitter& refitter,
+                       const PatchStatistics& statistics, bool mayRefine, const Refitter& refitter,
                        RefitReport& report) const;
 
+  /// Of a patch on a level, without its lights: what it takes on the next one more.
+  std::size_t bytesToRefine(const BasisLevel& level) const;
   std::size_t bytes() const;
 
  private:
@@ -34,7 +42,7 @@ class PatchLearning {
   static void pool(const PatchKnowledge& known, double samples, Coefficients& coefficients);
   /// Share of the constant in a density made of so many samples.
   double alphaFor(double samples) const;
-  bool finerIsDue(uint32_t level, double samples) const;
+  bool finerIsDue(uint32_t level, double samples, const Coefficients& c) const;
 
   std::pmr::memory_resource* memory_;
   const FieldSettings& settings_;

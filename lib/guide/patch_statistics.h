@@ -12,6 +12,7 @@
 #include "density/square_statistics.h"
 #include "density/square_sums.h"
 #include "density/square_values.h"
+#include "guide/light_sums.h"
 #include "guide/spatial_tree.h"
 
 namespace awd {
@@ -24,19 +25,33 @@ decltype(auto) visitSums(Variant& either, Visit&& visit) {
   return visit(*std::get_if<SquareSums>(&either));
 }
 
+/// The units that a patch's sums are made in, as exponents of two.
+struct PatchUnits {
+  int values;
+  int lights;
+
+  /// For values and light of this magnitude.
+  static PatchUnits of(double magnitude) {
+    return {FixedSums::unitExponentFor(magnitude), LightSums::unitExponentFor(magnitude)};
+  }
+  bool operator==(const PatchUnits& b) const { return values == b.values && lights == b.lights; }
+};
+
 class PatchStatistics {
  public:
   using Eighths = std::array<uint64_t, SpatialTree::kEighths>;
 
   /// pattern: null unless the estimator is `refit`.
   PatchStatistics(std::pmr::memory_resource* memory, const BasisLevel& level,
-                  AWDEstimator estimator, Ref<NormalPattern> pattern, int unitExponent) {
+                  AWDEstimator estimator, Ref<NormalPattern> pattern, uint32_t lights,
+                  PatchUnits units)
+      : lights_(memory, lights, units.lights) {
     if (estimator == AWD_ESTIMATOR_LUMPED) {
-      sums_.emplace<SquareValues>(memory, level, unitExponent);
+      sums_.emplace<SquareValues>(memory, level, units.values);
     } else if (estimator == AWD_ESTIMATOR_PAPER) {
-      sums_.emplace<SquareStatistics>(memory, std::size_t{level.count} * level.count, unitExponent);
+      sums_.emplace<SquareStatistics>(memory, std::size_t{level.count} * level.count, units.values);
     } else {
-      sums_.emplace<SquareSums>(memory, level, std::move(pattern), unitExponent);
+      sums_.emplace<SquareSums>(memory, level, std::move(pattern), units.values);
     }
   }
 
@@ -69,6 +84,9 @@ class PatchStatistics {
     visitSums(sums_, [](auto& sums) { sums.reject(Rejection::kPdf); });
   }
 
+  /// What a shadow ray to that light brought.
+  void recordLight(uint32_t light, double value) noexcept { lights_.record(light, value); }
+
   /// Null under another estimator than `lumped`, `paper`, or one of the others.
   const SquareValues* values() const { return std::get_if<SquareValues>(&sums_); }
   const SquareStatistics* byComponent() const { return std::get_if<SquareStatistics>(&sums_); }
@@ -78,9 +96,19 @@ class PatchStatistics {
   const FixedSums& common() const {
     return visitSums(sums_, [](const auto& sums) -> const FixedSums& { return sums; });
   }
+  const LightSums& lights() const { return lights_; }
+  PatchUnits units() const { return {common().unitExponent(), lights_.unitExponent()}; }
+  /// For the next pass: that of the mean, unless single values tower above it.
+  PatchUnits nextUnits() const {
+    PatchUnits next = units();
+    if (common().largest() > 0.0) next.values = FixedSums::unitExponentFor(magnitude());
+    if (lights_.largest() > 0.0) next.lights = LightSums::unitExponentFor(lights_.magnitude());
+    return next;
+  }
   std::size_t components() const {
     return visitSums(sums_, [](const auto& sums) { return sums.components(); });
   }
+  bool isEmpty() const { return samples() == 0 && lights_.samples() == 0; }
   uint64_t samples() const {
     uint64_t sum = 0;
     for (const std::atomic<uint64_t>& count : eighths_) {
@@ -100,10 +128,8 @@ class PatchStatistics {
     const auto count = static_cast<double>(std::max<uint64_t>(1, samples()));
     return visitSums(sums_, [](const auto& sums) { return sums.total(); }) / count;
   }
-  /// A magnitude to set the next pass's unit by: the mean, unless single values tower above it.
-  double magnitude() const { return std::max(mean(), common().largest() * 0x1p-19); }
 
-  /// Of the same kind, level and unit.
+  /// Of the same kind, level and units.
   void add(const PatchStatistics& other) noexcept {
     for (std::size_t i = 0; i < eighths_.size(); ++i) {
       eighths_[i].fetch_add(other.eighths_[i].load(std::memory_order_relaxed),
@@ -112,28 +138,35 @@ class PatchStatistics {
     visitSums(sums_, [&](auto& sums) {
       sums.add(*std::get_if<std::decay_t<decltype(sums)>>(&other.sums_));
     });
+    lights_.add(other.lights_);
   }
   void clear() noexcept {
     for (std::atomic<uint64_t>& count : eighths_) count.store(0, std::memory_order_relaxed);
     visitSums(sums_, [](auto& sums) { sums.clear(); });
+    lights_.clear();
   }
   void put(ByteWriter& writer) const {
     for (const uint64_t count : eighths()) writer.putPacked(count);
     visitSums(sums_, [&](const auto& sums) { sums.put(writer); });
+    lights_.put(writer);
   }
-  /// Of the same kind, level and unit.
+  /// Of the same kind, level and units.
   void get(ByteReader& reader) {
     for (std::atomic<uint64_t>& count : eighths_) count.store(reader.getPacked());
     visitSums(sums_, [&](auto& sums) { sums.get(reader); });
+    lights_.get(reader);
   }
   std::size_t bytes() const {
-    return sizeof *this +
+    return sizeof *this + lights_.bytes() +
            visitSums(sums_, [](const auto& sums) { return sums.bytes() - sizeof sums; });
   }
 
  private:
+  double magnitude() const { return std::max(mean(), common().largest() * 0x1p-19); }
+
   std::array<std::atomic<uint64_t>, SpatialTree::kEighths> eighths_{};
   std::variant<std::monostate, SquareValues, SquareStatistics, SquareSums> sums_;
+  LightSums lights_;
 };
 
 }  // namespace awd

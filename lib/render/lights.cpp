@@ -6,7 +6,7 @@
 namespace awd {
 
 Lights::Lights(std::pmr::memory_resource* memory)
-    : lights_(memory), triangles_(memory), cumulative_(memory) {}
+    : lights_(memory), triangles_(memory), cumulative_(memory), groupEnds_(memory) {}
 
 void Lights::add(Vec3f normal, Rgb emission, const std::pmr::vector<Vec3f>& corners) {
   const auto first = static_cast<uint32_t>(triangles_.size());
@@ -34,6 +34,27 @@ void Lights::finish() {
     cumulative_[i] = i + 1 < lights_.size() ? cumulative_[i] / total : 1.0;
     lights_[i].choice = static_cast<float>(cumulative_[i] - (i ? cumulative_[i - 1] : 0.0));
   }
+  group();
+}
+
+void Lights::group() {
+  double begin = 0.0;
+  for (uint32_t i = 0; i < size(); ++i) {
+    const bool alone = size() <= kMostGroups;
+    const bool last = i + 1 == size();
+    if (alone || last || cumulative_[i] - begin >= 1.0 / kMostGroups) {
+      groupEnds_.push_back(i + 1);
+      begin = cumulative_[i];
+    }
+  }
+}
+
+uint32_t Lights::chooseIn(uint32_t group, double uniform) const {
+  const uint32_t first = group > 0 ? groupEnds_[group - 1] : 0;
+  const uint32_t end = groupEnds_[group];
+  if (end - first == 1) return first;
+  const double at = beginOf(group) + uniform * (endOf(group) - beginOf(group));
+  return std::clamp(choose(at), first, end - 1);
 }
 
 uint32_t Lights::choose(double uniform) const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "util/error.h"
@@ -20,10 +19,8 @@ constexpr uint32_t kMaxLights = 1;
 /// From here on even a white surface ends paths.
 constexpr std::size_t kLongPath = 64;
 constexpr float kLongPathChance = 0.95f;
-/// Roulette by what is to come: survivors carry about 1 / kAdjointFactor of what the pixel is
-/// expected to have, and one in 1 / kLeastChance goes on in any case.
-constexpr float kAdjointFactor = 3.0f;
-constexpr float kLeastChance = 0.1f;
+/// Beyond the vertices that have strata.
+constexpr std::size_t kNoStrata = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
@@ -35,9 +32,10 @@ PathSettings settle(const AWDRenderDesc& desc) {
   };
   check(desc.preset, AWD_PRESET_PAPER, "preset");
   check(desc.guide, AWD_GUIDE_UNIFORM, "guide");
-  check(desc.direct, AWD_DIRECT_WEIGHTED, "direct");
+  check(desc.direct, AWD_DIRECT_NONE, "direct");
   check(desc.roulette, AWD_ROULETTE_ADJOINT, "roulette");
   check(desc.points, AWD_POINTS_SOBOL, "points");
+  check(desc.lights, AWD_LIGHTS_LEARNED, "lights");
   if (desc.shadowRays > kMostShadowRays) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->shadowRays is %u: at most %u are allowed",
          desc.shadowRays, kMostShadowRays);
@@ -46,6 +44,11 @@ PathSettings settle(const AWDRenderDesc& desc) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "desc->roulette is AWD_ROULETTE_ADJOINT: it goes by what a field has learned, and "
          "desc->guide is not AWD_GUIDE_ADAPTIVE");
+  }
+  if (desc.lights == AWD_LIGHTS_LEARNED && desc.guide != AWD_GUIDE_ADAPTIVE) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "desc->lights is AWD_LIGHTS_LEARNED: a field learns them, and desc->guide is not "
+         "AWD_GUIDE_ADAPTIVE");
   }
   const bool paper = desc.preset == AWD_PRESET_PAPER;
   PathSettings settings;
@@ -60,123 +63,115 @@ PathSettings settle(const AWDRenderDesc& desc) {
                                                                    : AWD_ROULETTE_ALBEDO;
   settings.shadowRays = desc.shadowRays ? desc.shadowRays : paper ? kPaperShadowRays : 1;
   settings.maxLights = desc.maxLights ? desc.maxLights : paper ? kPaperMaxLights : kMaxLights;
+  settings.maxSplit = settleSplit(desc.maxSplit, "desc->maxSplit");
+  settings.learnLights = desc.guide == AWD_GUIDE_ADAPTIVE &&
+                         (desc.lights ? desc.lights == AWD_LIGHTS_LEARNED : !paper);
   settings.sobol = desc.points ? desc.points == AWD_POINTS_SOBOL : !paper;
   return settings;
 }
 
-PathTracer::PathTracer(std::pmr::memory_resource* memory, const Geometry& geometry, Field* field,
-                       const PathSettings& settings)
+PathTracer::PathTracer(const Geometry& geometry, Field* field, const PathSettings& settings)
     : geometry_(geometry),
       field_(field),
       settings_(settings),
       chooseByPower_(geometry.lights().size() > settings.maxLights),
-      path_(memory) {
-  path_.reserve(kLongPath);
+      learnLights_(settings.learnLights && field && chooseByPower_ &&
+                   field->lights() == geometry.lights().groups()) {
   for (uint32_t c = 1; c * c <= settings.shadowRays; ++c) {
     if (settings.shadowRays % c == 0) gridColumns_ = c;
   }
 }
 
 Rgb PathTracer::trace(Vec3f origin, Vec3f direction, PathPoints& points, float expected) {
-  path_.clear();
-  Rgb throughput = {1.0f, 1.0f, 1.0f};
-  for (;;) {
-    ++rays_;
-    RayHit hit;
-    if (!geometry_.embree().intersect(origin, direction, 0.0f,
-                                      std::numeric_limits<float>::infinity(), hit)) {
-      break;
-    }
-    const Triangle& triangle = geometry_.triangle(hit.triangle);
-    const Material& material = geometry_.material(triangle);
-    const float facing = -dot(triangle.normal, direction);
-    const bool front = facing > 0.0f;
+  return arriving({origin, direction, {1.0f, 1.0f, 1.0f}, 0.0f, 1, true}, points, expected);
+}
 
-    Vertex& vertex = path_.emplace_back();
-    if (front && triangle.light != kNoLight) {
-      const float weight = path_.size() == 1
-                               ? 1.0f
-                               : emitterWeight(geometry_.lights()[triangle.light], hit.t, facing,
-                                               path_[path_.size() - 2].cosine);
-      vertex.emitted = material.emission * weight;
-    }
-    if (!(maxComponent(material.albedo) > 0.0f)) break;
+Rgb PathTracer::arriving(const Ray& ray, PathPoints& points, float expected) {
+  ++rays_;
+  RayHit hit;
+  if (!geometry_.embree().intersect(ray.origin, ray.direction, 0.0f,
+                                    std::numeric_limits<float>::infinity(), hit)) {
+    return {};
+  }
+  const Triangle& triangle = geometry_.triangle(hit.triangle);
+  const Material& material = geometry_.material(triangle);
+  const float facing = -dot(triangle.normal, ray.direction);
+  const bool front = facing > 0.0f;
+  Rgb leaving;
+  if (front && triangle.light != kNoLight) {
+    const Light& light = geometry_.lights()[triangle.light];
+    const float weight = ray.depth == 1 ? 1.0f : emitterWeight(light, hit.t, facing, ray.cosine);
+    leaving = material.emission * weight;
+  }
+  if (!(maxComponent(material.albedo) > 0.0f)) return leaving;
 
-    const Surface surface = {
-        Geometry::onPlane(triangle, origin + direction * hit.t),
-        front ? triangle.normal : -triangle.normal,
-        material.albedo,
-    };
-    vertex.albedo = material.albedo;
-    vertex.patch = triangle.patch | (front ? 0u : AWD_PATCH_BACK);
-    PatchView& patch = vertex.view;
+  Surface surface = {
+      Geometry::onPlane(triangle, ray.origin + ray.direction * hit.t),
+      front ? triangle.normal : -triangle.normal,
+      material.albedo,
+      triangle.patch | (front ? 0u : AWD_PATCH_BACK),
+      {},
+  };
+  if (field_) {
+    if (field_->isSpatial()) {
+      surface.patch = field_->findPatch(geometry_.fromFrame(surface.point), surface.normal);
+    }
+    surface.view = field_->view(surface.patch);
+    Field::prefetch(surface.view);
+  }
+  const std::size_t vertex = ray.stratified ? ray.depth : kNoStrata;
+  const SobolPoint choices = points.choices(vertex);
+  leaving += directLight(surface, vertex, choices.x, points);
+  leaving += indirectLight(ray, surface, choices.y, points, expected);
+  return leaving;
+}
+
+Rgb PathTracer::indirectLight(const Ray& ray, const Surface& surface, double choice,
+                              PathPoints& points, float expected) {
+  const float rays = raysToGoOn(ray, surface, expected);
+  const uint32_t count = roundedBy(choice, rays);
+  Rgb sum;
+  for (uint32_t i = 0; i < count; ++i) {
+    const bool stratified = ray.stratified && i == 0;
+    const Indirect indirect = chooseDirection(surface, stratified ? ray.depth : kNoStrata, points);
+    const Rgb weight = surface.albedo * (indirect.weight / rays);
+    const Rgb radiance =
+        arriving({surface.point + surface.normal * Geometry::kLift, indirect.direction,
+                  ray.throughput * weight, indirect.cosine, ray.depth + 1, stratified},
+                 points, expected);
     if (field_) {
-      if (field_->isSpatial()) {
-        vertex.patch = field_->findPatch(geometry_.fromFrame(surface.point), surface.normal);
-      }
-      patch = field_->view(vertex.patch);
-      Field::prefetch(patch);
-    }
-    const SobolPoint choices = points.choices(path_.size());
-    vertex.direct = directLight(surface, choices.x, points);
-
-    const float chance = chanceToGoOn(path_.size(), throughput, material.albedo, patch, expected);
-    if (!(choices.y < chance)) break;  // nor on a chance that is NaN
-    const Indirect indirect = chooseDirection(surface, patch, points);
-    vertex.sample = indirect.sample;
-    vertex.cosine = indirect.cosine;
-    vertex.weight = material.albedo * (indirect.weight / chance);
-    vertex.goesOn = true;
-    throughput = throughput * vertex.weight;
-    origin = surface.point + surface.normal * Geometry::kLift;
-    direction = indirect.direction;
-  }
-  return gather();
-}
-
-Rgb PathTracer::gather() {
-  Rgb radiance;  // leaving the vertex at hand towards the one before it
-  for (std::size_t i = path_.size(); i-- > 0;) {
-    const Vertex& vertex = path_[i];
-    Rgb leaving = vertex.emitted + vertex.direct;
-    if (vertex.goesOn) {
       // The field learns the luminance of f_r L_i cos(theta).
-      if (field_) {
-        const Rgb reflected = vertex.albedo * radiance * (vertex.cosine / kPi);
-        field_->record(vertex.patch, vertex.view, vertex.sample,
-                       static_cast<double>(luminance(reflected)));
-      }
-      leaving += vertex.weight * radiance;
+      const Rgb reflected = surface.albedo * radiance * (indirect.cosine / kPi);
+      field_->record(surface.patch, surface.view, indirect.sample,
+                     static_cast<double>(luminance(reflected)));
     }
-    radiance = leaving;
+    sum += weight * radiance;
   }
-  return radiance;
+  return sum;
 }
 
-float PathTracer::chanceToGoOn(std::size_t depth, Rgb throughput, Rgb albedo,
-                               const PatchView& patch, float expected) const {
-  float chance = maxComponent(albedo);
+float PathTracer::raysToGoOn(const Ray& ray, const Surface& surface, float expected) const {
+  float rays = maxComponent(surface.albedo);
   if (settings_.roulette == AWD_ROULETTE_THROUGHPUT) {
-    chance = std::min(maxComponent(throughput * albedo), 1.0f);
-  } else if (settings_.roulette == AWD_ROULETTE_ADJOINT && patch.known && expected > 0.0f) {
-    chance = std::clamp(kAdjointFactor * luminance(throughput) * patch.mean / expected,
-                        kLeastChance, 1.0f);
+    rays = std::min(maxComponent(ray.throughput * surface.albedo), 1.0f);
+  } else if (settings_.roulette == AWD_ROULETTE_ADJOINT && surface.view.known && expected > 0.0f) {
+    rays = continuation(luminance(ray.throughput), surface.view.mean, expected,
+                        static_cast<float>(settings_.maxSplit));
   }
-  if (depth > kLongPath) chance = std::min(chance, kLongPathChance);
-  return chance;
+  return ray.depth > kLongPath ? std::min(rays, kLongPathChance) : rays;
 }
 
-PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const PatchView& patch,
+PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, std::size_t vertex,
                                                  PathPoints& points) const {
-  const SobolPoint point = points.direction(path_.size());
+  const SobolPoint point = points.direction(vertex);
   const double uniforms[3] = {point.x, point.y, points.next()};
   Indirect indirect = {};
   if (field_) {
-    indirect.sample = field_->sample(patch, surface.normal, uniforms);
+    indirect.sample = field_->sample(surface.view, surface.normal, uniforms);
     indirect.direction = load(indirect.sample.direction);
     indirect.cosine = std::max(dot(indirect.direction, surface.normal), 0.0f);
     indirect.weight = indirect.cosine / (kPi * indirect.sample.pdf);
-    if (patch.statistics) patch.statistics->prefetch(indirect.sample);
+    if (surface.view.statistics) surface.view.statistics->prefetch(indirect.sample);
     return indirect;
   }
   const auto u = static_cast<float>(uniforms[0]);
@@ -195,7 +190,9 @@ PathTracer::Indirect PathTracer::chooseDirection(const Surface& surface, const P
   return indirect;
 }
 
-Rgb PathTracer::directLight(const Surface& surface, double choice, PathPoints& points) {
+Rgb PathTracer::directLight(const Surface& surface, std::size_t vertex, double choice,
+                            PathPoints& points) {
+  if (settings_.direct == AWD_DIRECT_NONE) return {};
   const Lights& lights = geometry_.lights();
   const uint32_t rays = settings_.shadowRays;
   const uint32_t gridRows = rays / gridColumns_;
@@ -209,12 +206,17 @@ Rgb PathTracer::directLight(const Surface& surface, double choice, PathPoints& p
   };
   if (chooseByPower_) {
     for (uint32_t i = 0; i < rays; ++i) {
-      const Light& light = lights[lights.choose((i + (i > 0 ? points.next() : choice)) / rays)];
-      const SobolPoint at = points.light(i > 0 ? SIZE_MAX : path_.size());
-      sum += oneShadowRay(surface, light, light.choice, at.x, at.y);
+      const double uniform = (i + (i > 0 ? points.next() : choice)) / rays;
+      const SobolPoint at = points.light(i > 0 ? kNoStrata : vertex);
+      if (learnLights_) {
+        sum += learnedLight(surface, uniform, at);
+      } else {
+        const Light& light = lights[lights.choose(uniform)];
+        sum += oneShadowRay(surface, light, light.choice, at.x, at.y);
+      }
     }
   } else if (rays == 1 && lights.size() == 1) {
-    const SobolPoint at = points.light(path_.size());
+    const SobolPoint at = points.light(vertex);
     sum = oneShadowRay(surface, lights[0], 1.0f, at.x, at.y);
   } else {
     for (uint32_t l = 0; l < lights.size(); ++l) {
@@ -222,6 +224,19 @@ Rgb PathTracer::directLight(const Surface& surface, double choice, PathPoints& p
     }
   }
   return surface.albedo * sum * (1.0f / static_cast<float>(rays));
+}
+
+Rgb PathTracer::learnedLight(const Surface& surface, double choice, SobolPoint at) {
+  const Lights& lights = geometry_.lights();
+  const LightChoice::Chosen group = surface.view.lights->choose(choice);
+  const Light& light = lights[lights.chooseIn(group.light, group.rest)];
+  // Weighed against indirect rays by its power, whatever chose it: what the field learns of
+  // directions must not change with what it knows of lights.
+  const Rgb found =
+      oneShadowRay(surface, light, light.choice, at.x, at.y) * lights.groupChance(group.light);
+  field_->recordLight(surface.patch, surface.view, group.light,
+                      static_cast<double>(luminance(surface.albedo * found)));
+  return found * (1.0f / group.chance);
 }
 
 Rgb PathTracer::oneShadowRay(const Surface& surface, const Light& light, float choice, double u,
@@ -251,6 +266,7 @@ Rgb PathTracer::oneShadowRay(const Surface& surface, const Light& light, float c
 float PathTracer::emitterWeight(const Light& light, float distance, float cosineAtLight,
                                 float cosineBefore) const {
   if (settings_.direct == AWD_DIRECT_AREA) return 0.0f;
+  if (settings_.direct == AWD_DIRECT_NONE) return 1.0f;
   const float areaPdf = choiceOf(light) * distance * distance / (cosineAtLight * light.area);
   const float cosinePdf = cosineBefore / kPi;
   return cosinePdf > 0.0f ? cosinePdf / (cosinePdf + areaPdf) : 0.0f;

@@ -113,7 +113,7 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
   const uint32_t columns = tilesAlong(film.width);
   const uint32_t x0 = tile % columns * kTile;
   const uint32_t y0 = tile / columns * kTile;
-  PathTracer tracer(context_->memory(), *geometry_, learner_, used_);
+  PathTracer tracer(*geometry_, learner_, used_);
   uint64_t rejected = 0;
   for (uint32_t y = y0; y < std::min(y0 + kTile, film.height); ++y) {
     for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {

@@ -125,11 +125,7 @@ bool shoot(const command::Device& device, const LoadedScene& loaded, Settings se
   set(settings, loaded, samples, seed);
   awdtest::Field field;
   if (settings.render.guide == AWD_GUIDE_ADAPTIVE) {
-    AWDSceneInfo info = AWD_SCENE_INFO_INIT;
-    must(awdGetSceneInfo(loaded.scene.get(), &info));
-    std::copy(info.lower, info.lower + 3, settings.field.lower);
-    std::copy(info.upper, info.upper + 3, settings.field.upper);
-    must(awdNewField(device.get(), &settings.field, field.out()));
+    must(awdNewSceneField(loaded.scene.get(), &settings.field, field.out()));
   }
   const awdtest::Render render = renderOf(loaded, field, settings);
   if (!render) return false;

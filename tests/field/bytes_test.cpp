@@ -99,7 +99,7 @@ TEST_F(FieldBytes, BytesOfOtherKindsAndVersions) {
   expectRefused(other, {"not a saved field"});
   other = bytes;
   other[8] = 9;
-  expectRefused(other, {"version 9", "version 1"});
+  expectRefused(other, {"version 9", "version 2"});
   other = bytes;
   other.pop_back();
   expectRefused(other, {std::to_string(bytes.size()) + " bytes", std::to_string(other.size())});

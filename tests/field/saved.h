@@ -51,13 +51,15 @@ inline std::vector<FieldCase> fieldCases() {
     desc.basis = basis;
     return desc;
   };
-  AWDFieldDesc paper = AWD_FIELD_DESC_INIT, small = spatialDesc();
+  AWDFieldDesc paper = AWD_FIELD_DESC_INIT, small = spatialDesc(), lights = spatialDesc();
+  lights.lightCount = 3;
   paper.preset = AWD_PRESET_PAPER;
   small.maxBytes = 200000;
   return {
       {"host", AWD_FIELD_DESC_INIT},
       {"spatial", spatialDesc()},
       {"capped", small},
+      {"lights", lights},
       {"paper", paper},
       {"ratio", with(AWD_ESTIMATOR_RATIO, "quadratic-bspline")},
       {"quasi", with(AWD_ESTIMATOR_QUASI, "m2")},
@@ -72,12 +74,14 @@ struct Fed {
   uint32_t patch;
   AWDDirectionSample sample;
   double value;
+  uint32_t light = AWD_INVALID_ID;  ///< of which half as much came
 };
 
 inline Fed drawFed(AWDField field, bool spatial, Random& random) {
   static const std::vector<Normal> normals = someNormals();
   const Normal& normal = normals[random.bits() % normals.size()];
   Fed fed = {static_cast<uint32_t>(random.bits() % 3), {}, 0.0};
+  const uint64_t light = random.bits() % 3;
   if (spatial) {
     const auto coordinate = [&] { return static_cast<float>(std::pow(random.uniform(), 2.0)); };
     const float position[3] = {coordinate(), coordinate(), 0.25f};
@@ -85,11 +89,16 @@ inline Fed drawFed(AWDField field, bool spatial, Random& random) {
   }
   fed.sample = draw(field, fed.patch, normal.values, random);
   fed.value = random.uniform() * static_cast<double>(fed.sample.square[0]);
+  float chance;
+  if (!awdGetLightChance(field, fed.patch, 0, &chance)) fed.light = static_cast<uint32_t>(light);
   return fed;
 }
 
 inline void recordFed(AWDField field, const Fed& fed) {
   must(awdRecordField(field, fed.patch, &fed.sample, fed.value));
+  if (fed.light != AWD_INVALID_ID) {
+    must(awdRecordLight(field, fed.patch, fed.light, fed.value / (1.0 + fed.light)));
+  }
 }
 
 inline void feed(AWDField field, bool spatial, Random& random, size_t samples) {

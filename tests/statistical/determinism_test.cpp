@@ -32,7 +32,7 @@ std::vector<double> coefficientsOf(AWDField field, uint32_t patch) {
 Outcome outcomeOf(const AWDDeviceDesc& deviceDesc, uint64_t seed,
                   AWDPreset preset = AWD_PRESET_DEFAULT, uint32_t width = 29) {
   const Device device = newDevice(&deviceDesc);
-  const Scene scene = lampRoom().commit(device);
+  const Scene scene = sevenLampRoom().commit(device);
   AWDCamera view = lampRoomCamera(19);
   view.width = width;  // not a multiple of any tile
   AWDRenderDesc desc = renderDesc(view, AWD_GUIDE_ADAPTIVE, seed);

@@ -144,6 +144,21 @@ inline SceneBuilder lampRoom() {
   room.quad({1.5, 2.25, 1.5}, {1.5, 2.25, 2.5}, {2.5, 2.25, 2.5}, {2.5, 2.25, 1.5}, lamp);
   return room;
 }
+/// The same room with six lamps more, of many powers: each lights a corner or a wall only.
+inline SceneBuilder sevenLampRoom() {
+  SceneBuilder room = lampRoom();
+  const double heights[] = {0.5, 1.0, 1.5};
+  for (int i = 0; i < 6; ++i) {
+    const uint32_t lamp = room.material(grey(0.0), grey(2.0 * (1 + 5 * (i % 3))));
+    const double x = i < 3 ? 0.25 : 3.75, y = heights[i % 3], z = 0.5 + i % 3, w = 0.125;
+    if (i < 3) {
+      room.quad({x, y, z}, {x, y, z + w}, {x, y + w, z + w}, {x, y + w, z}, lamp);  // to the left
+    } else {
+      room.quad({x, y, z}, {x, y + w, z}, {x, y + w, z + w}, {x, y, z + w}, lamp);
+    }
+  }
+  return room;
+}
 inline AWDCamera lampRoomCamera(uint32_t size, double scale = 1.0, Vec3 translation = {}) {
   AWDCamera result = camera({2, 1.5, 3.75}, {2, 1.375, 0}, {0, 1, 0}, 0.75, size, size);
   const double by[3] = {translation.x, translation.y, translation.z};

@@ -79,7 +79,8 @@ class FieldBytes : public testing::TestWithParam<AWDEstimator> {
   /// In the second pass after two, with a mark in it.
   Ref<Field> trained() {
     const AWDBasisFamily& basis = table("test-linear");
-    Ref<Field> field = Field::make(context_, basis, settle(desc(), basis));
+    Ref<Field> field =
+        Field::make(context_, basis, settle(std::pmr::get_default_resource(), desc(), basis));
     for (uint64_t pass = 0; pass < 2; ++pass) {
       feed(*field, 600, pass);
       field->adapt();
@@ -159,7 +160,7 @@ std::pmr::vector<char> withoutEnd(const Field& fresh) {
 
 std::pmr::vector<char> framed(const std::pmr::vector<char>& body,
                               const std::function<void(ByteWriter&)>& end) {
-  ByteWriter writer(std::pmr::get_default_resource(), "AWDFIELD", 1);
+  ByteWriter writer(std::pmr::get_default_resource(), "AWDFIELD", 2);
   for (const char c : body) writer.put(c);
   end(writer);
   return writer.finish();
@@ -167,7 +168,8 @@ std::pmr::vector<char> framed(const std::pmr::vector<char>& body,
 
 TEST_P(FieldBytes, LeavesDeeperThanAnyAreRefused) {
   const AWDBasisFamily& basis = table("haar");
-  const Ref<Field> fresh = Field::make(context_, basis, settle(desc(), basis));
+  const Ref<Field> fresh =
+      Field::make(context_, basis, settle(std::pmr::get_default_resource(), desc(), basis));
   const auto splits = [&](uint64_t count) {
     return framed(withoutEnd(*fresh), [&](ByteWriter& writer) {
       writer.put(count);
@@ -190,7 +192,8 @@ TEST_P(FieldBytes, NoMemoryIsTakenForWhatIsNotThere) {
   AWDFieldDesc fine = desc();
   fine.startLevel = fine.maxLevel = AWD_LEVEL(6);
   const AWDBasisFamily& basis = table("haar");
-  const Ref<Field> fresh = Field::make(context_, basis, settle(fine, basis));
+  const Ref<Field> fresh =
+      Field::make(context_, basis, settle(std::pmr::get_default_resource(), fine, basis));
   load(fresh->bytesOf());
   const std::size_t most = allowance_.most;
   const auto bytes = framed(withoutEnd(*fresh), [&](ByteWriter& writer) {
@@ -220,7 +223,7 @@ TEST_P(FieldBytes, NonsenseUnderARightChecksumIsRefusedOrWorks) {
       forged[at + k] = i % 5 ? static_cast<char>(below(256)) : static_cast<char>(-1);
     }
     if (i % 7 == 0) forged.resize(at);
-    ByteWriter frame(std::pmr::get_default_resource(), "AWDFIELD", 1);
+    ByteWriter frame(std::pmr::get_default_resource(), "AWDFIELD", 2);
     for (std::size_t k = kHeader; k < forged.size(); ++k) frame.put(forged[k]);
     try {
       const Ref<Field> field = load(frame.finish());

@@ -19,7 +19,8 @@ Ref<Context> context(uint32_t threads = 1) {
 }
 
 Ref<Field> makeField(AWDFieldDesc desc, const char* name = "haar") {
-  return Field::make(context(), table(name), settle(desc, table(name)));
+  return Field::make(context(), table(name),
+                     settle(std::pmr::get_default_resource(), desc, table(name)));
 }
 
 /// One pass: value(u, v) on the square is recorded for samples of patch `number`.
@@ -37,25 +38,26 @@ double bump(float u, float v) { return u < 0.25f && v < 0.25f ? 10.0 : 0.1; }
 
 TEST(FieldSettings, PresetsFillWhatIsOpen) {
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
-  const FieldSettings standard = settle(desc, haarTable());
+  const FieldSettings standard = settle(std::pmr::get_default_resource(), desc, haarTable());
   EXPECT_EQ(standard.map, AWD_MAP_CONCENTRIC_COSINE);
   EXPECT_LT(standard.learning.tau, 0.0);
   EXPECT_EQ(standard.alpha, 0.1);
   EXPECT_EQ(standard.patches, AWD_PATCHES_HOST) << "without a box";
   EXPECT_EQ(standard.learning.estimator, AWD_ESTIMATOR_LUMPED);
-  EXPECT_EQ(standard.maxLevel, 3u);
+  EXPECT_EQ(standard.startLevel, 3u);
+  EXPECT_EQ(standard.maxLevel, 4u);
   desc.preset = AWD_PRESET_PAPER;
-  const FieldSettings paper = settle(desc, haarTable());
+  const FieldSettings paper = settle(std::pmr::get_default_resource(), desc, haarTable());
   EXPECT_EQ(paper.map, AWD_MAP_SPHERICAL);
   EXPECT_EQ(paper.startLevel, 2u);
   EXPECT_EQ(paper.maxLevel, 4u);
   EXPECT_EQ(paper.learning.tau, 0.05);
   desc.maxLevel = AWD_LEVEL(1);
-  EXPECT_EQ(settle(desc, haarTable()).startLevel, 1u);
+  EXPECT_EQ(settle(std::pmr::get_default_resource(), desc, haarTable()).startLevel, 1u);
   desc.startLevel = AWD_LEVEL(3);
-  EXPECT_THROW(settle(desc, haarTable()), Error);
+  EXPECT_THROW(settle(std::pmr::get_default_resource(), desc, haarTable()), Error);
   desc.maxLevel = AWD_LEVEL(40);
-  EXPECT_THROW(settle(desc, haarTable()), Error);
+  EXPECT_THROW(settle(std::pmr::get_default_resource(), desc, haarTable()), Error);
 }
 
 TEST(Field, LearnsWhereTheLightIs) {
@@ -190,6 +192,22 @@ TEST(Field, PerfectDensityHasNoVariance) {
     const double p = field->density(1).pdf(s.square[0], s.square[1]);
     EXPECT_NEAR(steps(s.square[0], s.square[1]) / p, 8.5, 1e-6);
   }
+}
+
+/// Where light comes evenly a finer level would tell nothing; nor would one of few samples.
+TEST(Field, RefinesPatchesOfContrastAndSamples) {
+  constexpr uint32_t kEven = 1, kPeaked = 2, kFew = 3;
+  const Ref<Field> field = makeField(AWD_FIELD_DESC_INIT, "haar");
+  for (int pass = 0; pass < 3; ++pass) {
+    const uint64_t seed = 90 + 10 * static_cast<uint64_t>(pass);
+    run(*field, kEven, 4000, seed, [](float u, float) { return 1.0 + double(u); });
+    run(*field, kPeaked, 4000, seed + 1, bump);
+    run(*field, kFew, 100, seed + 2, bump);
+    field->adapt();
+  }
+  EXPECT_EQ(field->patchInfo(kEven).level, 3u);
+  EXPECT_EQ(field->patchInfo(kPeaked).level, 4u);
+  EXPECT_EQ(field->patchInfo(kFew).level, 3u);
 }
 
 }  // namespace

@@ -34,6 +34,55 @@ TEST(Lights, KnowTheirAreaAndShare) {
   EXPECT_FLOAT_EQ(lights.brightest(), 12.0f);
 }
 
+Lights rowOfLights(int count) {
+  Lights lights(std::pmr::get_default_resource());
+  for (int i = 0; i < count; ++i) {
+    const auto x = static_cast<float>(i);
+    const float bright = i == 2 ? 100.0f : 1.0f + static_cast<float>(i % 3);
+    lights.add({0, 0, 1}, {bright, bright, bright}, {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+  }
+  lights.finish();
+  return lights;
+}
+
+TEST(Lights, EachIsItsOwnGroupWhileThereAreFew) {
+  EXPECT_EQ(rowOfLights(0).groups(), 0u);
+  const Lights lights = rowOfLights(16);
+  ASSERT_EQ(lights.groups(), 16u);
+  for (uint32_t i = 0; i < 16; ++i) {
+    EXPECT_FLOAT_EQ(lights.groupChance(i), lights[i].choice);
+    EXPECT_EQ(lights.chooseIn(i, 0.0), i);
+    EXPECT_EQ(lights.chooseIn(i, 1.0 - 0x1p-53), i);
+  }
+}
+
+/// The chance of a light within its group, times that of the group, is that of choose().
+TEST(Lights, ManyMakeGroupsOfNeighbours) {
+  const Lights lights = rowOfLights(500);
+  ASSERT_GT(lights.groups(), 8u);
+  ASSERT_LE(lights.groups(), Lights::kMostGroups);
+  std::vector<double> chances(lights.size());
+  double all = 0.0;
+  uint32_t least = 0;
+  for (uint32_t g = 0; g < lights.groups(); ++g) {
+    const double chance = double(lights.groupChance(g));
+    all += chance;
+    uint32_t last = least;
+    constexpr int kSteps = 20000;
+    for (int i = 0; i < kSteps; ++i) {
+      last = lights.chooseIn(g, (i + 0.5) / kSteps);
+      ASSERT_GE(last, least) << "groups are runs";
+      chances[last] += chance / kSteps;
+    }
+    least = last + 1;
+  }
+  EXPECT_NEAR(all, 1.0, 1e-6);
+  EXPECT_EQ(least, lights.size());
+  for (uint32_t i = 0; i < lights.size(); ++i) {
+    EXPECT_NEAR(chances[i], double(lights[i].choice), 1e-5) << i;
+  }
+}
+
 // Null hypothesis: points are uniform over the quad. 8 x 4 bins of equal area, 31 degrees of
 // freedom; chi-square above 75 has probability 2e-5. Fixed seed.
 TEST(Lights, SampleUniformlyByArea) {

@@ -36,7 +36,7 @@ TEST(PathSettings, PresetsFillWhatIsOpen) {
 TEST(PathTracer, SeesALampAsItIs) {
   const Ref<Scene> scene = sceneOf(floorAndLamp());
   const Geometry& g = scene->geometry();
-  PathTracer tracer(std::pmr::get_default_resource(), g, nullptr, PathSettings());
+  PathTracer tracer(g, nullptr, PathSettings());
   PathPoints points(1, 0, 0, 0, false, 0);
   EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 0.5f}), {0, 0, 1}, points), (Rgb{10, 10, 10}));
   EXPECT_EQ(tracer.trace(g.toFrame({0, 0, 2.0f}), {0, 0, -1}, points), Rgb()) << "its back";
@@ -55,7 +55,7 @@ TEST(PathTracer, WeightsAddUpToOne) {
     PathSettings settings;
     settings.guide = AWD_GUIDE_COSINE;
     settings.direct = i ? AWD_DIRECT_WEIGHTED : AWD_DIRECT_AREA;
-    PathTracer tracer(std::pmr::get_default_resource(), g, nullptr, settings);
+    PathTracer tracer(g, nullptr, settings);
     double sum = 0.0, squares = 0.0;
     constexpr int kPaths = 40000;
     for (int s = 0; s < kPaths; ++s) {

@@ -30,7 +30,7 @@ Ref<Render> makeRender(const Ref<Scene>& scene, Ref<Field> field, AWDGuide guide
 
 Ref<Field> haarField(const Ref<Scene>& scene) {
   return Field::make(scene->device().shareContext(), haarTable(),
-                     settle(AWD_FIELD_DESC_INIT, haarTable()));
+                     settle(std::pmr::get_default_resource(), AWD_FIELD_DESC_INIT, haarTable()));
 }
 
 TEST(Render, CountsWhatItDoes) {
