@@ -89,8 +89,7 @@ std::vector<Row> measureScenes(const std::vector<Method>& methods, SceneOptions 
           if (!watch(done++, images)) return rows;
           if (isCeres(all[i]) && (seed > kCeresSeeds || all[i].basis == kBases[0])) continue;
           Shot shot = {};
-          if (!shoot(device, loaded, settingsOf(all[i]), samples, static_cast<uint64_t>(seed),
-                     shot)) {
+          if (!shoot(loaded, settingsOf(all[i]), samples, static_cast<uint64_t>(seed), shot)) {
             return rows;
           }
           shots[i].push_back(shot);

@@ -120,8 +120,8 @@ bool takeReference(const command::Device& device, const std::string& folder, uin
   return true;
 }
 
-bool shoot(const command::Device& device, const LoadedScene& loaded, Settings settings,
-           uint32_t samples, uint64_t seed, Shot& shot) {
+bool shoot(const LoadedScene& loaded, Settings settings, uint32_t samples, uint64_t seed,
+           Shot& shot) {
   set(settings, loaded, samples, seed);
   awdtest::Field field;
   if (settings.render.guide == AWD_GUIDE_ADAPTIVE) {

@@ -53,8 +53,8 @@ struct Shot {
 };
 
 /// One image, from an empty field on. False: cancelled.
-bool shoot(const command::Device& device, const LoadedScene& loaded, Settings settings,
-           uint32_t samples, uint64_t seed, Shot& shot);
+bool shoot(const LoadedScene& loaded, Settings settings, uint32_t samples, uint64_t seed,
+           Shot& shot);
 
 using Figure = double (*)(const Shot& shot);
 
