@@ -29,11 +29,6 @@ extern "C" {
 typedef int32_t AWDDensityStructure;
 enum { AWD_STRUCTURE_DEFAULT = 0, AWD_STRUCTURE_GRID = 1, AWD_STRUCTURE_TREE = 2 };
 
-/* What the density becomes proportional to: the local mean of |f| (default), or the local
-   sqrt(E[f^2]), which is the better one where f is noisy at each point. */
-typedef int32_t AWDTarget;
-enum { AWD_TARGET_DEFAULT = 0, AWD_TARGET_MEAN = 1, AWD_TARGET_RMS = 2 };
-
 /* inverse CDF: marginal, then conditionals; one uniform per axis; monotone, so that stratified
    uniforms give stratified points. component: eq. 4 of the paper, a component from the first
    uniform and the point from it by one uniform per axis; grids only. */

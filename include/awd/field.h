@@ -84,19 +84,20 @@ typedef struct AWDFieldDesc {
   /* As many powers >= 0, by which lights are chosen where nothing has been learned; copied; NULL:
      equal ones. */
   const float* lightPowers;
+  AWDTarget target;
 } AWDFieldDesc;
 
 #ifdef __cplusplus
 #define AWD_FIELD_DESC_INIT                                                                        \
   AWDFieldDesc {                                                                                   \
     sizeof(AWDFieldDesc), 0, 0, nullptr, 0u, 0u, 0.0, 0, nullptr, 0.0, 0, {0.0f, 0.0f, 0.0f},      \
-        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, nullptr                                               \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, nullptr, 0                                            \
   }
 #else
 #define AWD_FIELD_DESC_INIT                                                                        \
   {                                                                                                \
     sizeof(AWDFieldDesc), 0, 0, NULL, 0u, 0u, 0.0, 0, NULL, 0.0, 0, {0.0f, 0.0f, 0.0f},            \
-        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, NULL                                                  \
+        {0.0f, 0.0f, 0.0f}, 0u, 0.0, 0u, 0u, NULL, 0                                               \
   }
 #endif
 

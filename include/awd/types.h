@@ -108,6 +108,12 @@ typedef struct AWDBuffer {
 typedef int32_t AWDPreset;
 enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
 
+/* What a density becomes proportional to: the local mean of |f| (default), or the local
+   sqrt(E[f^2]), which is the better one where f is noisy at each point, and learned more slowly. Of
+   fields f is what is recorded: random, since it is what one path brought. */
+typedef int32_t AWDTarget;
+enum { AWD_TARGET_DEFAULT = 0, AWD_TARGET_MEAN = 1, AWD_TARGET_RMS = 2 };
+
 /* How coefficients come from the m samples x_i ~ p of values f_i. With S1_j = sum f N_j / p and
    S0_j = sum N_j / p over all samples, weights w_j = int N_j and Gram matrix G:
      paper    b_j = w_j times the mean of f over the samples drawn from component j; G c = b

@@ -22,6 +22,10 @@ class FixedSums {
   /// The unit for values whose mean or maximum is of this magnitude: leaves room for 2^31 samples
   /// of that magnitude, or fewer larger ones, without overflow.
   static int unitExponentFor(double magnitude);
+  /// The power of two that such a unit is for.
+  static double magnitudeFor(int unitExponent) {
+    return std::ldexp(1.0, unitExponent + kUsualBits);
+  }
 
   int unitExponent() const { return unitExponent_; }
   uint64_t rejected() const;

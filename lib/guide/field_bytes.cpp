@@ -50,7 +50,7 @@ Vec3f getVector(ByteReader& reader) {
 void putSettings(ByteWriter& writer, const FieldSettings& settings, const Family& family) {
   // Names all members: with one more this doesn't compile until that is saved too.
   const auto& [preset, map, startLevel, maxLevel, learning, alpha, patches, lower, upper,
-               patchSamples, maxBytes, lights] = settings;
+               patchSamples, maxBytes, target, lights] = settings;
   writer.putText(family.name());
   const AWDRefitSolver* solver = learning.refitter.solver;
   writer.putText(solver ? solver->name : "");
@@ -69,6 +69,7 @@ void putSettings(ByteWriter& writer, const FieldSettings& settings, const Family
   put(writer, upper);
   writer.put(patchSamples);
   writer.put(maxBytes);
+  writer.put(target);
   writer.put(lights ? lights->lights() : 0u);
   if (lights) lights->put(writer);
 }
@@ -96,6 +97,7 @@ FieldSettings getSettings(ByteReader& reader, std::pmr::memory_resource* memory,
   settings.upper = getVector(reader);
   settings.patchSamples = reader.get<uint32_t>(1, UINT32_MAX);
   settings.maxBytes = reader.get<uint64_t>();
+  settings.target = reader.get<int32_t>(AWD_TARGET_MEAN, AWD_TARGET_RMS);
   if (const auto lights = reader.get<uint32_t>(0, AWD_MOST_FIELD_LIGHTS)) {
     settings.lights = LightChoice::get(reader, memory, lights);
   }
@@ -165,8 +167,8 @@ Coefficients getCoefficients(ByteReader& reader, std::pmr::memory_resource* memo
 
 void putKnowledge(ByteWriter& writer, const PatchKnowledge& known) {
   // As above; densities are shared, and saved on their own.
-  const auto& [density, weight, mean, alpha, eighths, lights, lightShare] = known;
-  for (const double x : {weight, mean, alpha, lightShare}) writer.put(x);
+  const auto& [density, weight, mean, alpha, eighths, root, lights, lightShare] = known;
+  for (const double x : {weight, mean, alpha, root, lightShare}) writer.put(x);
   for (const uint64_t count : eighths) writer.putPacked(count);
   writer.put(static_cast<uint8_t>(lights.get() != nullptr));
   if (lights) lights->put(writer);
@@ -180,6 +182,7 @@ PatchKnowledge getKnowledge(ByteReader& reader, std::pmr::memory_resource* memor
   known.weight = reader.get(0.0, kLargest);
   known.mean = reader.get(0.0, kInfinity);
   known.alpha = reader.get(0.0, 1.0);
+  known.root = reader.get(0.0, kInfinity);
   known.lightShare = reader.get(0.0, 1.0);
   for (uint64_t& count : known.eighths) count = reader.getPacked();
   if (reader.get<uint8_t>(0, lights > 0 ? 1 : 0)) {

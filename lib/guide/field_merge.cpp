@@ -31,6 +31,7 @@ void checkSettings(const FieldSettings& a, const FieldSettings& b) {
   check(ours.shrinkage == theirs.shrinkage && ours.refitShrinkage == theirs.refitShrinkage,
         "shrinkage");
   check(ours.refitter.solver == theirs.refitter.solver, "refitSolver");
+  check(a.target == b.target, "target");
   check(a.alpha == b.alpha, "alpha");
   check(a.patches == b.patches && a.patchSamples == b.patchSamples, "the kind of its patches");
   check(a.lower == b.lower && a.upper == b.upper, "its box");
@@ -52,7 +53,7 @@ bool sameKnowledge(const PatchKnowledge& a, const PatchKnowledge& b) {
   const bool sameLights =
       a.lights && b.lights ? *a.lights == *b.lights : a.lights.get() == b.lights.get();
   return a.weight == b.weight && a.mean == b.mean && a.alpha == b.alpha && a.eighths == b.eighths &&
-         sameLights && a.lightShare == b.lightShare;
+         a.root == b.root && sameLights && a.lightShare == b.lightShare;
 }
 
 bool sameDensity(const SquareDensity& a, const SquareDensity& b) {

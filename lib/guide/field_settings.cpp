@@ -126,6 +126,7 @@ FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc
   check(desc.map, AWD_MAP_COSINE, "map");
   check(desc.patches, AWD_PATCHES_HOST, "patches");
   check(desc.estimator, AWD_ESTIMATOR_LUMPED, "estimator");
+  check(desc.target, AWD_TARGET_RMS, "target");
   if (!(desc.tau <= 1.0)) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "desc->tau is %g: at most 1 is allowed", desc.tau);
   }
@@ -150,6 +151,7 @@ FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc
   settleShrinkage(desc.shrinkage, family.order == 1, learning);
   learning.maxCoefficients = UINT64_MAX;
   settings.lights = settleLights(memory, desc);
+  if (desc.target) settings.target = desc.target;
   return settings;
 }
 

@@ -22,6 +22,7 @@ struct FieldSettings {
   Vec3f lower, upper;         ///< of spatial patches
   uint32_t patchSamples = 0;  ///< beyond which a spatial patch is split
   uint64_t maxBytes = std::numeric_limits<uint64_t>::max();
+  AWDTarget target = AWD_TARGET_MEAN;
   Ref<LightChoice> lights;  ///< how patches begin to choose among them; null: they don't
 
   /// Whether a patch adds what a pass has taught to what it knew, as far as the estimate of its

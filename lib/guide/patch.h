@@ -17,6 +17,7 @@ struct PatchKnowledge {
   double mean = 0.0;           ///< of f/p over them: the integral of f
   double alpha = 1.0;          ///< share of the constant in the density
   PatchStatistics::Eighths eighths{};  ///< samples in each, since the last split
+  double root = 0.0;                   ///< integral of sqrt(E[f^2]), if that is the target
   Ref<LightChoice> lights;             ///< null: the field's prior
   double lightShare = 1.0;             ///< of what the lights know, that counts after splits
 };

@@ -48,7 +48,8 @@ Owned<PatchStatistics> PatchLearning::freshStatistics(const BasisLevel& level,
   Ref<NormalPattern> pattern;
   if (!patterns_.empty()) pattern = patterns_[level.level - settings_.startLevel];
   return makeOwned<PatchStatistics>(memory_, memory_, level, settings_.learning.estimator,
-                                    std::move(pattern), lights() ? lights()->lights() : 0, units);
+                                    settings_.target, std::move(pattern),
+                                    lights() ? lights()->lights() : 0, units);
 }
 
 bool PatchLearning::finerIsDue(uint32_t level, double samples, const Coefficients& c) const {
@@ -100,16 +101,18 @@ double PatchLearning::alphaFor(double samples) const {
   return settings_.alpha + (1.0 - settings_.alpha) * kPriorSamples / (samples + kPriorSamples);
 }
 
-void PatchLearning::pool(const PatchKnowledge& known, double samples, Coefficients& coefficients) {
+void PatchLearning::pool(const PatchKnowledge& known, double samples,
+                         Coefficients& coefficients) const {
   // The former estimate: the density without the constant in it, times the integral.
   const double share = known.weight / (known.weight + samples);
-  const double scale =
-      known.density && known.alpha < 1.0 ? share * known.mean / (1.0 - known.alpha) : 0.0;
+  const double whole = learnsSquares() ? known.root : known.mean;
+  const double scale = known.density && known.alpha < 1.0 ? whole / (1.0 - known.alpha) : 0.0;
   for (std::size_t j = 0; j < coefficients.size(); ++j) {
     coefficients[j] *= 1.0 - share;
     if (scale > 0.0) {
-      const double before = known.density->coefficients()[j] - known.alpha;
-      coefficients[j] += scale * std::max(before, 0.0);
+      const double above = std::max(known.density->coefficients()[j] - known.alpha, 0.0);
+      const double before = scale * above;
+      coefficients[j] += share * (learnsSquares() ? before * before : before);
     }
   }
 }
@@ -132,11 +135,17 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
   if (!(statistics.mean() > 0.0)) return next;
   Coefficients c = estimate(statistics, level, refitter, report);
   if (c.empty()) return next;
-  if (settings_.pools()) {
-    pool(known, samples, c);
-    if (settings_.learning.tau > 0.0) {
-      awd::clampCoefficients(settings_.learning.tau, next.mean, c);
-    }
+  if (learnsSquares()) {
+    for (double& value : c) value *= statistics.squaresUnit();
+  }
+  if (settings_.pools()) pool(known, samples, c);
+  if (learnsSquares()) {
+    for (double& value : c) value = std::sqrt(std::max(value, 0.0));
+    const BasisLevel* const levels[] = {&level, &level};
+    next.root = integral(levels, shapeOf(levels, 2), c.data());
+  }
+  if (settings_.pools() && settings_.learning.tau > 0.0) {
+    awd::clampCoefficients(settings_.learning.tau, learnsSquares() ? next.root : next.mean, c);
   }
   uint32_t l = level.level;
   if (mayRefine && finerIsDue(l, next.weight, c)) {

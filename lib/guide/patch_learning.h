@@ -39,7 +39,9 @@ class PatchLearning {
   Coefficients estimate(const PatchStatistics& statistics, const BasisLevel& level,
                         const Refitter& refitter, RefitReport& report) const;
   Coefficients lumped(const SquareValues& values, const BasisLevel& level, double samples) const;
-  static void pool(const PatchKnowledge& known, double samples, Coefficients& coefficients);
+  /// Adds to coefficients of E[f], or E[f^2], of a pass those of the passes before.
+  void pool(const PatchKnowledge& known, double samples, Coefficients& coefficients) const;
+  bool learnsSquares() const { return settings_.target == AWD_TARGET_RMS; }
   /// Share of the constant in a density made of so many samples.
   double alphaFor(double samples) const;
   bool finerIsDue(uint32_t level, double samples, const Coefficients& c) const;

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory_resource>
+#include <optional>
 #include <variant>
 
 #include "awd/field.h"
@@ -43,9 +46,10 @@ class PatchStatistics {
 
   /// pattern: null unless the estimator is `refit`.
   PatchStatistics(std::pmr::memory_resource* memory, const BasisLevel& level,
-                  AWDEstimator estimator, Ref<NormalPattern> pattern, uint32_t lights,
-                  PatchUnits units)
+                  AWDEstimator estimator, AWDTarget target, Ref<NormalPattern> pattern,
+                  uint32_t lights, PatchUnits units)
       : lights_(memory, lights, units.lights) {
+    if (target == AWD_TARGET_RMS) means_.emplace(memory, 1, units.values);
     if (estimator == AWD_ESTIMATOR_LUMPED) {
       sums_.emplace<SquareValues>(memory, level, units.values);
     } else if (estimator == AWD_ESTIMATOR_PAPER) {
@@ -66,6 +70,7 @@ class PatchStatistics {
   /// A sample drawn since the last adapt in that eighth of the patch, and f on the square.
   void record(uint32_t eighth, const AWDDirectionSample& sample, double f) noexcept {
     eighths_[eighth].fetch_add(1, std::memory_order_relaxed);
+    if (means_) f = squareOf(sample, f);
     if (auto* sums = std::get_if<SquareStatistics>(&sums_)) {
       sums->record(sample.component, f);
       return;
@@ -125,9 +130,12 @@ class PatchStatistics {
   }
   /// The mean of f/p; of f under `paper`. 0 of no samples.
   double mean() const {
-    const auto count = static_cast<double>(std::max<uint64_t>(1, samples()));
-    return visitSums(sums_, [](const auto& sums) { return sums.total(); }) / count;
+    const double total =
+        means_ ? means_->total() : visitSums(sums_, [](const auto& sums) { return sums.total(); });
+    return total / static_cast<double>(std::max<uint64_t>(1, samples()));
   }
+  /// What the sums are of, if they are of squares: f^2 over this.
+  double squaresUnit() const { return FixedSums::magnitudeFor(common().unitExponent()); }
 
   /// Of the same kind, level and units.
   void add(const PatchStatistics& other) noexcept {
@@ -138,34 +146,52 @@ class PatchStatistics {
     visitSums(sums_, [&](auto& sums) {
       sums.add(*std::get_if<std::decay_t<decltype(sums)>>(&other.sums_));
     });
+    if (means_) means_->add(*other.means_);
     lights_.add(other.lights_);
   }
   void clear() noexcept {
     for (std::atomic<uint64_t>& count : eighths_) count.store(0, std::memory_order_relaxed);
     visitSums(sums_, [](auto& sums) { sums.clear(); });
+    if (means_) means_->clear();
     lights_.clear();
   }
   void put(ByteWriter& writer) const {
     for (const uint64_t count : eighths()) writer.putPacked(count);
     visitSums(sums_, [&](const auto& sums) { sums.put(writer); });
+    if (means_) means_->put(writer);
     lights_.put(writer);
   }
   /// Of the same kind, level and units.
   void get(ByteReader& reader) {
     for (std::atomic<uint64_t>& count : eighths_) count.store(reader.getPacked());
     visitSums(sums_, [&](auto& sums) { sums.get(reader); });
+    if (means_) means_->get(reader);
     lights_.get(reader);
   }
   std::size_t bytes() const {
-    return sizeof *this + lights_.bytes() +
+    return sizeof *this + lights_.bytes() + (means_ ? means_->bytes() - sizeof *means_ : 0) +
            visitSums(sums_, [](const auto& sums) { return sums.bytes() - sizeof sums; });
   }
 
  private:
-  double magnitude() const { return std::max(mean(), common().largest() * 0x1p-19); }
+  double magnitude() const {
+    const double largest = common().largest() * 0x1p-19;
+    // Of squares in another unit it is the root.
+    return std::max(mean(), means_ ? std::sqrt(largest * squaresUnit()) : largest);
+  }
+  /// f^2 in the magnitude of f; f itself counts to the mean.
+  double squareOf(const AWDDirectionSample& sample, double f) noexcept {
+    if (!(f >= 0.0 && std::isfinite(f))) return f;
+    const double p = static_cast<double>(sample.pdf) * static_cast<double>(sample.solidAngle);
+    const bool paper = std::holds_alternative<SquareStatistics>(sums_);
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    means_->record(0, std::min(paper ? f : f / p, kLargest));
+    return std::min(f * (f / squaresUnit()), kLargest);
+  }
 
   std::array<std::atomic<uint64_t>, SpatialTree::kEighths> eighths_{};
   std::variant<std::monostate, SquareValues, SquareStatistics, SquareSums> sums_;
+  std::optional<SquareStatistics> means_;  ///< of f/p; none if the other sums are of f itself
   LightSums lights_;
 };
 

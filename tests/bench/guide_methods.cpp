@@ -53,6 +53,8 @@ const std::vector<Method>& methods() {
        [](Settings& with) { with.field.maxLevel = AWD_LEVEL(3); }},
       {"level-4", "adaptive, densities of 16 x 16 cells from the start",
        [](Settings& with) { with.field.startLevel = AWD_LEVEL(4); }},
+      {"root-mean-square", "adaptive, densities as sqrt(E[f^2]) instead of E[f]",
+       [](Settings& with) { with.field.target = AWD_TARGET_RMS; }},
       {"alpha-0.03", "adaptive, this share of cosine sampling in every density",
        [](Settings& with) { with.field.alpha = 0.03; }},
       {"alpha-0.3", "adaptive, this share of cosine sampling in every density",

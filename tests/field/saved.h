@@ -53,6 +53,8 @@ inline std::vector<FieldCase> fieldCases() {
   };
   AWDFieldDesc paper = AWD_FIELD_DESC_INIT, small = spatialDesc(), lights = spatialDesc();
   lights.lightCount = 3;
+  AWDFieldDesc squares = spatialDesc();
+  squares.target = AWD_TARGET_RMS;
   paper.preset = AWD_PRESET_PAPER;
   small.maxBytes = 200000;
   return {
@@ -60,6 +62,7 @@ inline std::vector<FieldCase> fieldCases() {
       {"spatial", spatialDesc()},
       {"capped", small},
       {"lights", lights},
+      {"squares", squares},
       {"paper", paper},
       {"ratio", with(AWD_ESTIMATOR_RATIO, "quadratic-bspline")},
       {"quasi", with(AWD_ESTIMATOR_QUASI, "m2")},

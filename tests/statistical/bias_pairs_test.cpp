@@ -53,6 +53,22 @@ std::vector<Config> fields() {
   return all;
 }
 
+/// With every estimator that learns from all samples, the other target.
+std::vector<Config> targets() {
+  std::vector<Config> all;
+  for (const AWDEstimator estimator : {AWD_ESTIMATOR_LUMPED, AWD_ESTIMATOR_QUASI}) {
+    for (const char* basis : kBases) {
+      Config& config = all.emplace_back();
+      config.name =
+          std::string(basis) + ", root mean square, estimator " + std::to_string(estimator);
+      config.field.basis = basis;
+      config.field.estimator = estimator;
+      config.field.target = AWD_TARGET_RMS;
+    }
+  }
+  return all;
+}
+
 std::vector<Config> renders() {
   std::vector<Config> all;
   for (const AWDRoulette roulette :
@@ -130,6 +146,7 @@ void compareAll(const SceneBuilder& room, std::vector<Config> all, uint64_t seed
 
 TEST(BiasPairs, NoPairDiffersFromTheReferenceSlow) {
   std::vector<Config> all = fields();
+  for (Config& config : targets()) all.push_back(std::move(config));
   for (Config& config : renders()) all.push_back(std::move(config));
   compareAll(lampRoom(), std::move(all), 6000);
 }
