@@ -60,6 +60,11 @@ box seed.exr --seed 1
 [ "$(l1 one.exr seed.exr)" != 0.0 ] || complain "the seed changes nothing"
 box rays.exr --shadow-rays 4
 [ "$(l1 one.exr rays.exr)" != 0.0 ] || complain "the number of shadow rays changes nothing"
+box light.exr --direct none
+[ "$(l1 one.exr light.exr)" != 0.0 ] || complain "the way in which light is found changes nothing"
+box power.exr --lights power --max-split 1
+fails 2 "--max-split" "$awd" render "$scenes/box.obj" -o s.exr --max-split 65
+fails 2 "--lights" "$awd" render "$scenes/box.obj" -o s.exr --lights all
 
 # Schedules: one number for all passes, a total, the paper's own; levels.
 passes() { "$tool" json s.json /settings/spp; }

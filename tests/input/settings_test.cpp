@@ -36,6 +36,9 @@ TEST_F(Settings, UnknownEnumerators) {
     desc.combination = bad;
     expectNoRender(desc, {"combination", std::to_string(bad)});
     desc = desc_;
+    desc.lights = bad;
+    expectNoRender(desc, {"lights", std::to_string(bad)});
+    desc = desc_;
     desc.preset = bad;
     expectNoRender(desc, {"preset", std::to_string(bad)});
     AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
@@ -47,6 +50,10 @@ TEST_F(Settings, UnknownEnumerators) {
     fieldDesc.map = bad;
     expectFailure(awdNewField(device_, &fieldDesc, &field), kInvalid, {"map", std::to_string(bad)});
     fieldDesc = AWD_FIELD_DESC_INIT;
+    fieldDesc.target = bad;
+    expectFailure(awdNewField(device_, &fieldDesc, &field), kInvalid,
+                  {"target", std::to_string(bad)});
+    fieldDesc = AWD_FIELD_DESC_INIT;
     fieldDesc.patches = bad;
     expectFailure(awdNewField(device_, &fieldDesc, &field), kInvalid,
                   {"patches", std::to_string(bad)});
@@ -57,6 +64,34 @@ TEST_F(Settings, UnknownEnumerators) {
   AWDRenderDesc desc = desc_;  // known, but not of a render
   desc.combination = AWD_COMBINE_CROSS_VARIANCE;
   expectNoRender(desc, {"combination"});
+}
+
+TEST_F(Settings, LightsAndSplittingThatCannotBe) {
+  AWDRenderDesc desc = desc_;
+  desc.maxSplit = 65;
+  expectNoRender(desc, {"maxSplit", "65", "64"});
+  desc = desc_;
+  desc.lights = AWD_LIGHTS_LEARNED;
+  desc.guide = AWD_GUIDE_COSINE;
+  expectNoRender(desc, {"lights", "AWD_GUIDE_ADAPTIVE"});
+  // A field that knows of other lights than the scene has.
+  desc.guide = AWD_GUIDE_ADAPTIVE;
+  AWDFieldDesc fieldDesc = AWD_FIELD_DESC_INIT;
+  fieldDesc.lightCount = 7;
+  Field field;
+  must(awdNewSceneField(scene_, &fieldDesc, field.out()));
+  AWDRender render;
+  expectFailure(awdNewRender(scene_, field, &desc, &render), kInvalid, {"lights", "lightCount 7"});
+  // By default such a field is of use for all else.
+  desc.lights = AWD_LIGHTS_DEFAULT;
+  must(awdNewRender(scene_, field, &desc, &render));
+  must(awdRenderPass(render, 2, nullptr));
+  awdReleaseRender(render);
+  // Before a commit there are no lights to know of.
+  Scene empty;
+  must(awdNewScene(device_, empty.out()));
+  expectFailure(awdNewSceneField(empty, nullptr, field.out()), AWD_ERROR_INVALID_OPERATION,
+                {"commit"});
 }
 
 TEST_F(Settings, StructsOfAnotherVersion) {

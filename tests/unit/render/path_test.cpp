@@ -18,6 +18,8 @@ TEST(PathSettings, PresetsFillWhatIsOpen) {
   EXPECT_EQ(settle(desc).direct, AWD_DIRECT_WEIGHTED);
   EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ADJOINT);
   EXPECT_EQ(settle(desc).shadowRays, 1u);
+  EXPECT_EQ(settle(desc).maxSplit, 8u);
+  EXPECT_TRUE(settle(desc).learnLights);
   desc.roulette = AWD_ROULETTE_ADJOINT;
   desc.guide = AWD_GUIDE_COSINE;
   EXPECT_THROW(settle(desc), Error) << "nothing is learned";
@@ -29,6 +31,7 @@ TEST(PathSettings, PresetsFillWhatIsOpen) {
   EXPECT_EQ(settle(desc).direct, AWD_DIRECT_AREA);
   EXPECT_EQ(settle(desc).roulette, AWD_ROULETTE_ALBEDO);
   EXPECT_EQ(settle(desc).shadowRays, 4u);
+  EXPECT_FALSE(settle(desc).learnLights);
   desc.shadowRays = 2000;
   EXPECT_THROW(settle(desc), Error);
 }
@@ -45,16 +48,17 @@ TEST(PathTracer, SeesALampAsItIs) {
 }
 
 // The balance heuristic: what shadow rays and indirect rays count of a lamp adds up, so that the
-// weighted estimate and the one by area agree in the mean. 40,000 paths each; |z| < 4.5 fails with
-// probability 7e-6.
+// weighted estimate and those by either alone agree in the mean. 40,000 paths each; each |z| < 4.5
+// fails with probability 7e-6.
 TEST(PathTracer, WeightsAddUpToOne) {
   const Ref<Scene> scene = sceneOf(floorAndLamp());
   const Geometry& g = scene->geometry();
-  double mean[2], error[2];
-  for (int i = 0; i < 2; ++i) {
+  double mean[3], error[3];
+  const AWDDirectLight ways[] = {AWD_DIRECT_AREA, AWD_DIRECT_WEIGHTED, AWD_DIRECT_NONE};
+  for (int i = 0; i < 3; ++i) {
     PathSettings settings;
     settings.guide = AWD_GUIDE_COSINE;
-    settings.direct = i ? AWD_DIRECT_WEIGHTED : AWD_DIRECT_AREA;
+    settings.direct = ways[i];
     PathTracer tracer(g, nullptr, settings);
     double sum = 0.0, squares = 0.0;
     constexpr int kPaths = 40000;
@@ -67,7 +71,9 @@ TEST(PathTracer, WeightsAddUpToOne) {
     mean[i] = sum / kPaths;
     error[i] = std::sqrt((squares / kPaths - mean[i] * mean[i]) / kPaths);
   }
-  EXPECT_LT(std::abs(mean[0] - mean[1]), 4.5 * std::hypot(error[0], error[1]));
+  for (const int i : {1, 2}) {
+    EXPECT_LT(std::abs(mean[0] - mean[i]), 4.5 * std::hypot(error[0], error[i]));
+  }
   EXPECT_GT(mean[0], 0.1);
 }
 
