@@ -29,7 +29,8 @@ class LightSums : public FixedSums {
       saturate();
       units = kLargestRoot;
     }
-    accumulate(cells_[light].sum, static_cast<int64_t>(units * units + 0.5));
+    const double rounded = units * units + 0.5;  // to the nearest: std::llrint is a call
+    accumulate(cells_[light].sum, static_cast<int64_t>(rounded));
   }
 
   uint32_t lights() const { return static_cast<uint32_t>(cells_.size()); }
