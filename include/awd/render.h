@@ -120,7 +120,9 @@ typedef struct AWDRenderDesc {
   /* Of film, pass and field together; 0: no limit. An image that takes more by itself is refused;
      the field splits no patch beyond the rest, which replaces a larger maxBytes of its own. */
   uint64_t maxBytes;
-  uint32_t maxSplit; /* of the roulette adjoint: rays a vertex, at most 64; 1: none; 0: 8 */
+  /* Of the roulette adjoint: rays a vertex, at most 64; 1: none; 0: 8. None in a film of fewer than
+     8 samples per pixel. */
+  uint32_t maxSplit;
   AWDLightChoice lights;
 } AWDRenderDesc;
 

@@ -21,8 +21,27 @@ constexpr double kSamplesPerCoefficient = 8.0;
 /// its mean: where light comes evenly, a finer level has nothing to tell.
 constexpr double kContrast = 2.0;
 constexpr uint32_t kTellingLevel = 3;
+/// Share of a density from there on that is spread over neighbours: at the edge of a small light a
+/// function may have met nothing of what it covers, and what comes then weighs too much.
+constexpr double kSpread = 0.5;
 /// What the constant counts for beside a patch's own samples.
 constexpr double kPriorSamples = 32.0;
+
+/// Replaces each of n x n nodal values by itself and, to a share of kSpread, the mean of it and its
+/// neighbours with weights 1, 2, 1 along each axis.
+void spread(std::size_t n, Coefficients& c) {
+  Coefficients blurred(c, c.get_allocator());
+  for (const std::size_t stride : {std::size_t{1}, n}) {
+    const Coefficients from(blurred, c.get_allocator());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const std::size_t at = i / stride % n;
+      const double below = from[at > 0 ? i - stride : i];
+      const double above = from[at + 1 < n ? i + stride : i];
+      blurred[i] = 0.25 * (below + 2.0 * from[i] + above);
+    }
+  }
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] += kSpread * (blurred[i] - c[i]);
+}
 
 }  // namespace
 
@@ -146,6 +165,9 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
   }
   if (settings_.pools() && settings_.learning.tau > 0.0) {
     awd::clampCoefficients(settings_.learning.tau, learnsSquares() ? next.root : next.mean, c);
+  }
+  if (settings_.pools() && level.level > kTellingLevel && NodalSquare::fits(level)) {
+    spread(level.count, c);
   }
   uint32_t l = level.level;
   if (mayRefine && finerIsDue(l, next.weight, c)) {

@@ -20,6 +20,10 @@ constexpr uint32_t kTile = 16;
 /// on six scenes, guided passes are less efficient than unguided ones below 4 to 7 samples.
 constexpr double kFewestGuided = 6.0;
 
+/// Before so many samples per pixel no path is split: what a pixel is expected to have is too
+/// uncertain, and what comes of it too noisy to be worth more of the time.
+constexpr uint64_t kFewestSplit = 8;
+
 /// Before so many samples per pixel no error is believed to be small: light that is rare may not
 /// have been met at all, and a black image has no error.
 constexpr uint64_t kFewestTold = 16;
@@ -152,6 +156,7 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   PassFilm pass(context_->memory(), film_.width(), film_.height());
   if (used_.roulette == AWD_ROULETTE_ADJOINT) {
     expected_ = expectedLuminance(context_->memory(), film_);
+    used_.maxSplit = film_.samples() < kFewestSplit ? 1 : settings_.maxSplit;
   }
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();

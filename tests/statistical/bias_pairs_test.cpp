@@ -73,7 +73,7 @@ std::vector<Config> renders() {
   std::vector<Config> all;
   for (const AWDRoulette roulette :
        {AWD_ROULETTE_ALBEDO, AWD_ROULETTE_THROUGHPUT, AWD_ROULETTE_ADJOINT}) {
-    for (const AWDDirectLight direct : {AWD_DIRECT_AREA, AWD_DIRECT_WEIGHTED, AWD_DIRECT_NONE}) {
+    for (const AWDDirectLight direct : {AWD_DIRECT_AREA, AWD_DIRECT_WEIGHTED}) {
       for (const AWDCombination combination : {AWD_COMBINE_COUNT, AWD_COMBINE_EXPERIENCE}) {
         for (const AWDPoints points : {AWD_POINTS_RANDOM, AWD_POINTS_SOBOL}) {
           for (const std::vector<uint32_t>& passes : kSchedules) {
