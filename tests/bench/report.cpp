@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -12,6 +13,7 @@
 
 #include "chart.h"
 #include "failure.h"
+#include "report_page.h"
 #include "write_file.h"
 
 namespace bench {
@@ -48,6 +50,19 @@ std::string readFile(const std::filesystem::path& path) {
   return text;
 }
 
+bool beginsWithNumber(const std::string& cell) {
+  const std::size_t sign = cell.find_first_not_of("+-.");
+  return sign <= 2 && std::isdigit(static_cast<unsigned char>(cell[sign]));
+}
+
+/// Whether a column is of numbers, or of dashes where there is none.
+bool hasNumbers(const ReportTable& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+    const std::string& cell = row[column];
+    return cell == "–" || cell == "-" || beginsWithNumber(cell);
+  });
+}
+
 std::string pageOf(const std::filesystem::path& sections) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(sections)) {
@@ -56,11 +71,11 @@ std::string pageOf(const std::filesystem::path& sections) {
   std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
     return std::pair(placeOf(a), a) < std::pair(placeOf(b), b);
   });
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
-      "<title>libawd: measured</title></head>\n<body>\n<main>\n";
-  for (const std::string& name : names) page += readFile(sections / (name + ".html"));
-  return page + "</main>\n</body>\n</html>\n";
+  std::vector<PageSection> all;
+  for (const std::string& name : names) {
+    all.push_back({name, readFile(sections / (name + ".html"))});
+  }
+  return reportPage(all);
 }
 
 }  // namespace
@@ -106,23 +121,27 @@ void ReportSection::command(const std::string& line) {
 }
 
 void ReportSection::table(const ReportTable& table) {
-  html_ += "<div class=\"table\"><table class=\"sortable\">\n<caption>" +
+  html_ += "<div class=\"table\" tabindex=\"0\"><table class=\"sortable\">\n<caption>" +
            htmlEscape(table.caption) + "</caption>\n<thead><tr>";
-  for (const std::string& column : table.columns) {
-    html_ += "<th scope=\"col\">" + htmlEscape(column) + "</th>";
+  std::vector<std::string> classes;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    classes.emplace_back(hasNumbers(table, i) ? " class=\"number\"" : "");
+    html_ += "<th scope=\"col\"" + classes[i] + ">" + htmlEscape(table.columns[i]) + "</th>";
   }
   html_ += "</tr></thead>\n<tbody>\n";
   for (const std::vector<std::string>& row : table.rows) {
     html_ += "<tr>";
-    for (const std::string& cell : row) html_ += "<td>" + htmlEscape(cell) + "</td>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      html_ += "<td" + classes[i] + ">" + htmlEscape(row[i]) + "</td>";
+    }
     html_ += "</tr>\n";
   }
   html_ += "</tbody></table></div>\n";
 }
 
 void ReportSection::plot(const Plot& plot, const std::string& caption) {
-  html_ += "<figure class=\"chart\">" + chartSvg(plot) + "<figcaption>" + htmlEscape(caption) +
-           "</figcaption></figure>\n";
+  html_ += "<figure class=\"chart\"><div class=\"scroll\" tabindex=\"0\">" + chartSvg(plot) +
+           "</div><figcaption>" + htmlEscape(caption) + "</figcaption></figure>\n";
 }
 
 void ReportSection::images(const std::vector<ReportImage>& images, const std::string& caption) {
@@ -138,9 +157,9 @@ void ReportSection::images(const std::vector<ReportImage>& images, const std::st
 void writeReport(const std::string& folder, const ReportSection& section) {
   const std::filesystem::path sections = std::filesystem::path(folder) / "sections";
   std::filesystem::create_directories(sections);
-  command::writeFile(
-      (sections / (section.name() + ".html")).string(),
-      "<section id=\"" + htmlEscape(section.name()) + "\">\n" + section.html() + "</section>\n");
+  command::writeFile((sections / (section.name() + ".html")).string(),
+                     "<section id=\"" + htmlEscape(section.name()) + "\">\n" + section.html() +
+                         "<p class=\"when\">Measured until " + dateNow() + ".</p>\n</section>\n");
   command::writeFile((std::filesystem::path(folder) / "index.html").string(), pageOf(sections));
 }
 
