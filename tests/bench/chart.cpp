@@ -57,7 +57,8 @@ class Layout {
     body += legend(y += kLine + 4.0);
     const double top = y + 8.0;
     for (std::size_t i = 0; i < plot_.panels.size(); ++i) body += panel(i, top);
-    const double bottom = top + strideY_ * static_cast<double>(rows_) + kTickHeight + 6.0;
+    const double bottom =
+        top + strideY_ * static_cast<double>(rows_) + (plot_.shared ? kTickHeight + 6.0 : 10.0);
     body += chartText(left_ + 0.5 * panelsWidth_, bottom, plot_.x.label, ChartAnchor::kMiddle,
                       "chart-label");
     body += chartTextUpwards(kMargin + kChartText, 0.5 * (top + bottom), plot_.y.label);

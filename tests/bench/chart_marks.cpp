@@ -66,7 +66,8 @@ std::string chartColour(std::size_t style) {
 
 std::string chartMarker(double x, double y, std::size_t style) {
   const std::string classes = "chart-marker " + chartColour(style);
-  switch (style % kColours) {
+  // Once all colours are taken, they come again with other shapes.
+  switch ((style + 3 * (style / kColours)) % kColours) {
     case 1:
       return polygon(x, y, 5.0, 4, 0.25 * kPi, classes);  // square
     case 2:

@@ -122,7 +122,8 @@ void addDensityCommand(CLI::App& program, Action& action) {
                    "Default 40, and 200 for ours up to 1e5 evaluations")
       ->check(CLI::Range(2, 100000));
   command->add_option("--threads", options->threads, "Default: all")->check(CLI::Range(1u, 1024u));
-  command->add_option("--out", options->folder, "Folder for density.json and density.csv");
+  command->add_option("--out", options->folder,
+                      "Folder for density.json, density.csv and a section of index.html");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "command_line.h"
+#include "density_section.h"
+#include "row.h"
 
 namespace bench {
 namespace {
@@ -35,11 +36,6 @@ std::string ratioText(double ratio) {
 
 bool honest(const Figures& f) {
   return std::isnan(f.ratio) || (f.low <= kMostRatio && f.high >= kLeastRatio);
-}
-
-void close(std::ofstream& file, const std::filesystem::path& path) {
-  file.close();
-  if (!file) throw std::runtime_error("can't write " + path.string());
 }
 
 }  // namespace
@@ -139,36 +135,28 @@ std::string Table::verdict() const {
 
 void writeTables(const std::vector<Table>& tables, const std::string& folder) {
   std::filesystem::create_directories(folder);
-  const std::filesystem::path csvPath = std::filesystem::path(folder) / "density.csv";
-  const std::filesystem::path jsonPath = std::filesystem::path(folder) / "density.json";
-  std::ofstream csv(csvPath), json(jsonPath);
-  csv.precision(9);
-  csv << "dimensions,evaluations,integrand,method,repetitions,rms,mean,median,reported,ratio,"
-         "ratio_low,ratio_high\n";
-  nlohmann::json all = nlohmann::json::array();
+  std::vector<bench::Row> rows;
   for (const Table& table : tables) {
     for (const Table::Row& row : table.rows()) {
       const Figures& f = row.figures;
-      csv << table.dimensions() << ',' << table.evaluations() << ',' << row.integrand << ','
-          << row.method << ',' << row.repetitions << ',' << f.rms << ',' << f.mean << ','
-          << f.median << ',' << f.reported << ',' << f.ratio << ',' << f.low << ',' << f.high
-          << '\n';
-      all.push_back({{"dimensions", table.dimensions()},
-                     {"evaluations", table.evaluations()},
-                     {"integrand", row.integrand},
-                     {"method", row.method},
-                     {"repetitions", row.repetitions},
-                     {"rms", f.rms},
-                     {"mean", f.mean},
-                     {"median", f.median},
-                     {"reported", f.reported},
-                     {"ratio", f.ratio},
-                     {"ratio_interval", {f.low, f.high}}});
+      rows.push_back({{"dimensions", table.dimensions()},
+                      {"evaluations", table.evaluations()},
+                      {"integrand", row.integrand},
+                      {"method", row.method},
+                      {"repetitions", row.repetitions},
+                      {"rms", f.rms},
+                      {"mean", f.mean},
+                      {"median", f.median},
+                      {"reported", f.reported}});
+      // Of a method that is exact, or reports nothing, there is no ratio.
+      if (std::isnan(f.ratio)) continue;
+      rows.back()["ratio"] = f.ratio;
+      rows.back()["ratio_low"] = f.low;
+      rows.back()["ratio_high"] = f.high;
     }
   }
-  json << all.dump(1) << '\n';
-  close(csv, csvPath);
-  close(json, jsonPath);
+  writeRows({{"command", commandLine()}, {"first_seed", 1}}, rows, folder, "density");
+  writeReport(folder, densitySection(tables));
 }
 
 }  // namespace bench

@@ -25,6 +25,13 @@ class Table {
   /// "2D, 10000 evaluations: 0.16 of VEGAS's error (goal 0.33): met"; "" without VEGAS.
   std::string verdict() const;
 
+  /// Names, in the order of measuring.
+  std::vector<std::string> integrands() const;
+  /// NULL if that wasn't measured.
+  const Figures* find(const std::string& integrand, const std::string& method) const;
+  /// RMS error of the better VEGAS; NaN if there is none.
+  double vegas(const std::string& integrand) const;
+
   struct Row {
     std::string integrand, method;
     int repetitions;
@@ -35,13 +42,8 @@ class Table {
   uint64_t evaluations() const { return evaluations_; }
 
  private:
-  /// NULL if that wasn't measured.
-  const Figures* find(const std::string& integrand, const std::string& method) const;
-  /// RMS error of the better VEGAS; NaN if there is none.
-  double vegas(const std::string& integrand) const;
   double relativeToVegas(const std::string& integrand, const std::string& method) const;
   double geometricMean(const std::string& method) const;
-  std::vector<std::string> integrands() const;
   std::string place() const;
 
   int dimensions_;
@@ -49,7 +51,7 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/// density.json and density.csv in `folder`, which is made.
+/// density.json, density.csv and a section of the report in `folder`, which is made.
 void writeTables(const std::vector<Table>& tables, const std::string& folder);
 
 }  // namespace bench

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "command_line.h"
 #include "failure.h"
 #include "interrupt.h"
 #include "write_file.h"
@@ -23,12 +24,22 @@ int run(const Choice& choice, const Options& options) {
   if (!choice.note.empty()) std::printf("%s\n", choice.note.c_str());
   command::catchInterrupt();
   Report report(options.folder, choice.name,
-                {{"command", std::string("awd-bench ") + choice.name},
+                {{"command", commandLine()},
                  {"baseline", choice.methods.front()},
                  {"threads", options.threads}});
   const bool complete = measureScenes(options, contenders, report, command::wasInterrupted);
   report.write(complete);
   return complete ? 0 : command::kInterrupted;
+}
+
+/// What is small enough for seconds; what was asked for stays.
+void makeQuick(const CLI::App& command, Options& options) {
+  const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  if (!given("--only")) options.only = {"cornell-box", "verification"};
+  if (!given("--samples")) options.samples = {8, 32};
+  if (!given("--seeds")) options.seeds = 2;
+  if (!given("--width")) options.width = 48;
+  if (!given("--reference-samples")) options.referenceSamples = 1024;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -43,6 +54,8 @@ void addOptions(CLI::App& command, Action& action, Choice choice,
                 const std::shared_ptr<Options>& options) {
   auto chosen = std::make_shared<Choice>(std::move(choice));
   auto onlyList = std::make_shared<bool>(false);
+  auto quick = std::make_shared<bool>(false);
+  command.add_flag("--quick", *quick, "Two small scenes in seconds, but for what is asked for");
   command.add_flag("--list", *onlyList, "Print the methods that there are");
   command
       .add_option("--methods", chosen->methods,
@@ -58,9 +71,9 @@ void addOptions(CLI::App& command, Action& action, Choice choice,
       ->check(CLI::Range(1, 1000000));
   command.add_option("--seeds", options->seeds, "Default " + std::to_string(options->seeds))
       ->check(CLI::Range(1, 1000));
-  CLI::Option* out = command.add_option(
-      "--out", options->folder,
-      std::string("Folder for ") + chosen->name + ".json and " + chosen->name + ".csv");
+  CLI::Option* out = command.add_option("--out", options->folder,
+                                        std::string("Folder for ") + chosen->name + ".json, " +
+                                            chosen->name + ".csv and a section of index.html");
   CLI::Option* references =
       command.add_option("--references", options->references,
                          "A folder with SCENE-*.exr, independent unguided renders of equal\n"
@@ -79,7 +92,8 @@ void addOptions(CLI::App& command, Action& action, Choice choice,
       "Efficiency: 1 / (relMSE without the worst 0.1 % of pixels x CPU seconds). The table has\n"
       "medians over seeds; efficiencies, also those from the untrimmed relMSE and from L1^2, and\n"
       "rays a CPU second are ratios to the baseline's of the same seed.");
-  command.callback([&action, chosen, options, onlyList, out, references] {
+  command.callback([&action, &command, chosen, options, onlyList, quick, out, references] {
+    if (*quick) makeQuick(command, *options);
     if (!*onlyList && out->empty() && references->empty()) {
       throw CLI::RequiredError("--out or --references");
     }

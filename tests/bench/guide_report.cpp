@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "guide_section.h"
+
 namespace bench::guide {
 namespace {
 
@@ -109,6 +111,7 @@ void Report::write(bool complete) {
   Row head = head_;
   head["complete"] = complete;
   writeRows(head, rows_, folder_, name_);
+  writeReport(folder_, sectionOf(name_, head_["baseline"].get<std::string>(), rows_));
 }
 
 }  // namespace bench::guide

@@ -12,7 +12,8 @@ namespace bench::guide {
 
 class Report {
  public:
-  /// `folder`: for NAME.json and NAME.csv; "": none are written. head: what was asked for.
+  /// `folder`: for NAME.json, NAME.csv and a section of the report; "": none are written. head:
+  /// what was asked for, the "baseline" in it.
   Report(std::string folder, std::string name, Row head)
       : folder_(std::move(folder)), name_(std::move(name)), head_(std::move(head)) {}
 

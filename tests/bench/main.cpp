@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "command_line.h"
 #include "commands.h"
 
 namespace {
@@ -22,6 +23,7 @@ constexpr AddCommand kCommands[] = {
 };
 
 int run(int argumentCount, char** arguments) {
+  bench::setCommandLine(argumentCount, arguments);
   CLI::App program("Figures about libawd, and about its peers where they are installed",
                    "awd-bench");
   program.require_subcommand(1);

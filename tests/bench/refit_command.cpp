@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "command_line.h"
 #include "commands.h"
 #include "failure.h"
 #include "interrupt.h"
@@ -16,6 +17,7 @@
 #include "refit_plots.h"
 #include "refit_scenes.h"
 #include "refit_summary.h"
+#include "report.h"
 #include "write_file.h"
 
 namespace bench {
@@ -60,13 +62,33 @@ class Progress {
 };
 
 Row headOf(const Options& options) {
-  return {{"command", "awd-bench refit"},
+  return {{"command", commandLine()},
           {"quick", options.densities.quick},
           {"complete", !command::wasInterrupted()}};
 }
 
+/// As files, where there is Cairo, and in the section.
+refit::TakePlot takerOf(const Options& options, ReportSection& section) {
+  return [&](const Plot& plot, const std::string& name) {
+    if (canPlot()) writePlot(plot, options.folder, name);
+    section.plot(plot, name);
+  };
+}
+
+ReportSection newSection() {
+  ReportSection section("refit", "Coefficients by least squares, or by projection");
+  section.paragraph(
+      "Coefficients of a density can be fitted to its samples by least squares (refit-descent, "
+      "refit-ceres), or estimated by projections, which need no solver: quasi, a density's "
+      "default, mixture and ratio, and that of the paper. Lower variance and error are better; "
+      "in tables of errors relative to quasi, quasi is 1.");
+  section.command(commandLine());
+  return section;
+}
+
 #ifdef AWD_BENCH_SCENES
-void compareRenders(const Options& options, const std::vector<refit::Method>& methods) {
+void compareRenders(const Options& options, const std::vector<refit::Method>& methods,
+                    ReportSection& section) {
   Progress progress("render");
   refit::SceneOptions scenes = options.scenes;
   scenes.quick = options.densities.quick;
@@ -79,11 +101,11 @@ void compareRenders(const Options& options, const std::vector<refit::Method>& me
       },
       command::wasInterrupted);
   writeRows(headOf(options), rows, options.folder, "refit-render");
-  refit::printScenes(rows);
-  if (canPlot()) refit::plotScenes(rows, options.folder);
+  refit::printScenes(rows, section);
+  refit::plotScenes(rows, takerOf(options, section));
 }
 #else
-void compareRenders(const Options&, const std::vector<refit::Method>&) {
+void compareRenders(const Options&, const std::vector<refit::Method>&, ReportSection&) {
   std::fprintf(stderr, "built without the renderer: no scenes are rendered\n");
 }
 #endif
@@ -96,6 +118,7 @@ int run(const Options& options) {
   const awdtest::Device device = awdtest::newDevice(1);
   const std::vector<refit::Method> methods = refit::availableMethods(device);
 
+  ReportSection section = newSection();
   std::vector<Row> rows;
   for (const refit::Part part : refit::kParts) {
     if (!wanted(options, nameOf(part)) || command::wasInterrupted()) continue;
@@ -108,11 +131,14 @@ int run(const Options& options) {
     rows.insert(rows.end(), more.begin(), more.end());
     // After each part: what is lost to whatever ends the program is one of them.
     writeRows(headOf(options), rows, options.folder, "refit");
-    refit::printSummary(part, more);
+    refit::printSummary(part, more, section);
     std::fflush(stdout);
   }
-  if (canPlot()) refit::plotDensities(rows, options.folder);
-  if (wanted(options, "render") && !command::wasInterrupted()) compareRenders(options, methods);
+  refit::plotDensities(rows, takerOf(options, section));
+  if (wanted(options, "render") && !command::wasInterrupted()) {
+    compareRenders(options, methods, section);
+  }
+  writeReport(options.folder, section);
   return command::wasInterrupted() ? command::kInterrupted : 0;
 }
 
@@ -123,7 +149,9 @@ void addRefitCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
       "refit", "Coefficients by least squares against the projections: error, variance and time");
   command->add_flag("--quick", options->densities.quick, "A few cells of each kind");
-  command->add_option("--out", options->folder, "Folder for tables and plots")->required();
+  command
+      ->add_option("--out", options->folder, "Folder for tables, plots and a section of index.html")
+      ->required();
   command->add_option("--parts", options->parts, "Some of shrinkage,first,adaptive,time,render")
       ->delimiter(',')
       ->check(CLI::IsMember({"shrinkage", "first", "adaptive", "time", "render"}));

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "plot.h"
 #include "refit_summary.h"
 
 namespace bench::refit {
@@ -106,7 +105,7 @@ constexpr Figure kFigures[] = {
     {"negative", "Coefficients below 0 before the floor", "share of all", false}};
 
 void plotMethods(const std::vector<Row>& rows, const std::string& part, const std::string& what,
-                 const std::string& folder) {
+                 const TakePlot& take) {
   std::set<int> dimensions;
   for (const Row& row : rows) dimensions.insert(row["dimensions"].get<int>());
   for (const int d : dimensions) {
@@ -120,22 +119,22 @@ void plotMethods(const std::vector<Row>& rows, const std::string& part, const st
       plot.x = {"samples a coefficient, m/n", true};
       plot.y = {figure.label, figure.logarithmic};
       plot.panels = familyPanels(chosen, "samples_per_coefficient", figure.key, plot.columns);
-      writePlot(plot, folder, "refit-" + part + "-" + figure.key + "-" + std::to_string(d) + "d");
+      take(plot, "refit-" + part + "-" + figure.key + "-" + std::to_string(d) + "d");
     }
   }
 }
 
-void plotShrinkage(const std::vector<Row>& rows, const std::string& folder) {
+void plotShrinkage(const std::vector<Row>& rows, const TakePlot& take) {
   Plot plot = newPlot();
   plot.title = "Variance of the next pass by kappa";
   plot.subtitle = "One pass from the uniform density. Geometric mean over all else.";
   plot.x = {"shrinkage kappa, in samples", true};
   plot.y = {"∫ f²/p / (∫ f)² − 1", true};
   plot.panels = familyPanels(rows, "shrinkage", "variance", plot.columns);
-  writePlot(plot, folder, "refit-shrinkage");
+  take(plot, "refit-shrinkage");
 }
 
-void plotTimes(const std::vector<Row>& rows, const std::string& folder) {
+void plotTimes(const std::vector<Row>& rows, const TakePlot& take) {
   const std::pair<const char*, const char*> figures[] = {
       {"adapt_ms", "CPU time of an adapt, ms"},
       {"record_ns", "CPU time of recording a sample, ns"}};
@@ -157,13 +156,13 @@ void plotTimes(const std::vector<Row>& rows, const std::string& folder) {
       }
     }
     plot.columns = std::min<std::size_t>(4, plot.panels.size());
-    writePlot(plot, folder, std::string("refit-time-") + (key[0] == 'a' ? "adapt" : "record"));
+    take(plot, std::string("refit-time-") + (key[0] == 'a' ? "adapt" : "record"));
   }
 }
 
 }  // namespace
 
-void plotScenes(const std::vector<Row>& rows, const std::string& folder) {
+void plotScenes(const std::vector<Row>& rows, const TakePlot& take) {
   std::set<std::string> scenes, bases;
   for (const Row& row : rows) {
     scenes.insert(textOf(row, "scene"));
@@ -197,26 +196,26 @@ void plotScenes(const std::vector<Row>& rows, const std::string& folder) {
       plot.panels.push_back(std::move(panel));
     }
     plot.columns = std::min<std::size_t>(4, plot.panels.size());
-    writePlot(plot, folder, "refit-render-" + basis);
+    take(plot, "refit-render-" + basis);
   }
 }
 
-void plotDensities(const std::vector<Row>& rows, const std::string& folder) {
+void plotDensities(const std::vector<Row>& rows, const TakePlot& take) {
   const auto part = [&](Part wanted) {
     return where(rows, [&](const Row& row) {
       return textOf(row, "part") == nameOf(wanted) &&
              (wanted == Part::kTime || textOf(row, "method") != "refit-ceres");
     });
   };
-  if (const auto chosen = part(Part::kShrinkage); !chosen.empty()) plotShrinkage(chosen, folder);
+  if (const auto chosen = part(Part::kShrinkage); !chosen.empty()) plotShrinkage(chosen, take);
   // Ceres has fewer seeds, and else the coefficients of descent: time is what it is compared by.
   if (const auto chosen = part(Part::kFirst); !chosen.empty()) {
-    plotMethods(chosen, "first", "One pass from the uniform density at a fixed level.", folder);
+    plotMethods(chosen, "first", "One pass from the uniform density at a fixed level.", take);
   }
   if (const auto chosen = part(Part::kAdaptive); !chosen.empty()) {
-    plotMethods(chosen, "adaptive", "After four passes that choose their levels.", folder);
+    plotMethods(chosen, "adaptive", "After four passes that choose their levels.", take);
   }
-  if (const auto chosen = part(Part::kTime); !chosen.empty()) plotTimes(chosen, folder);
+  if (const auto chosen = part(Part::kTime); !chosen.empty()) plotTimes(chosen, take);
 }
 
 }  // namespace bench::refit

@@ -2,17 +2,22 @@
 // The figures of `awd-bench refit`.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "plot.h"
 #include "row.h"
 
 namespace bench::refit {
 
-/// Of each part that there are rows of: FOLDER/refit-....svg and .png.
-void plotDensities(const std::vector<Row>& rows, const std::string& folder);
+/// What is done with a plot; name: "refit-...".
+using TakePlot = std::function<void(const Plot& plot, const std::string& name)>;
 
-/// Error against CPU time for each scene: FOLDER/refit-render-....svg and .png.
-void plotScenes(const std::vector<Row>& rows, const std::string& folder);
+/// Of each part that there are rows of.
+void plotDensities(const std::vector<Row>& rows, const TakePlot& take);
+
+/// Error against CPU time for each scene.
+void plotScenes(const std::vector<Row>& rows, const TakePlot& take);
 
 }  // namespace bench::refit

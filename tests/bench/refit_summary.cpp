@@ -23,7 +23,23 @@ constexpr const char* kIdentity[] = {"part",
                                      "samples",
                                      "samples_per_coefficient"};
 
-void print(const char* title, const Pivot::Table& table) {
+void addTable(const char* title, const Pivot::Table& table,
+              const std::set<std::string, Pivot::InOrder>& columns, ReportSection& section) {
+  ReportTable shown = {title, {"cells"}, {}};
+  shown.columns.insert(shown.columns.end(), columns.begin(), columns.end());
+  for (const auto& [heading, values] : table) {
+    std::vector<std::string> row = {heading};
+    for (const std::string& column : columns) {
+      const auto found = values.find(column);
+      row.push_back(found == values.end() ? "–" : shortNumber(found->second));
+    }
+    shown.rows.push_back(std::move(row));
+  }
+  section.table(shown);
+}
+
+/// On standard output, and as a table of the section.
+void print(const char* title, const Pivot::Table& table, ReportSection& section) {
   std::set<std::string, Pivot::InOrder> columns;
   std::size_t width = 0;
   for (const auto& [heading, values] : table) {
@@ -41,6 +57,7 @@ void print(const char* title, const Pivot::Table& table) {
     }
     std::printf("\n");
   }
+  if (!table.empty()) addTable(title, table, columns, section);
 }
 
 std::vector<Row> only(const std::vector<Row>& rows, const std::string& key,
@@ -58,7 +75,7 @@ std::vector<Row> having(const std::vector<Row>& rows, const char* figure) {
   return chosen;
 }
 
-void printShrinkage(const std::vector<Row>& rows) {
+void printShrinkage(const std::vector<Row>& rows, ReportSection& section) {
   for (const char* method : {"quasi", "refit-descent"}) {
     const std::vector<Row> chosen = only(rows, "method", method);
     if (chosen.empty()) continue;
@@ -67,10 +84,10 @@ void printShrinkage(const std::vector<Row>& rows) {
         ": variance of the next pass over that of the best kappa, by kappa (0: the default)";
     Pivot pivot(chosen, "shrinkage");
     pivot.relativeToLeast("variance");
-    print((title + " and basis").c_str(), pivot.table({"basis", "structure"}));
-    print((title + " and dimensions").c_str(), pivot.table({"dimensions"}));
+    print((title + " and basis").c_str(), pivot.table({"basis", "structure"}), section);
+    print((title + " and dimensions").c_str(), pivot.table({"dimensions"}), section);
     print((title + ", noise and samples a coefficient").c_str(),
-          pivot.table({"noise", "samples_per_coefficient"}));
+          pivot.table({"noise", "samples_per_coefficient"}), section);
   }
 }
 
@@ -89,7 +106,7 @@ void printAgreement(const std::vector<Row>& all) {
       100.0 * converged / static_cast<double>(rows.size()), rows.size(), most);
 }
 
-void printMethods(const std::vector<Row>& all) {
+void printMethods(const std::vector<Row>& all, ReportSection& section) {
   printAgreement(all);
   // Of fewer seeds, and else the same as descent.
   std::vector<Row> rows;
@@ -100,17 +117,17 @@ void printMethods(const std::vector<Row>& all) {
   Pivot error(rows, "method");
   error.relativeTo("l2", "quasi");
   print("Variance of the next pass over that of quasi",
-        variance.table({"noise", "samples_per_coefficient"}));
-  print("By basis", variance.table({"noise", "basis", "structure"}));
-  print("By dimensions", variance.table({"noise", "dimensions"}));
-  print("L2 error over that of quasi", error.table({"noise", "samples_per_coefficient"}));
+        variance.table({"noise", "samples_per_coefficient"}), section);
+  print("By basis", variance.table({"noise", "basis", "structure"}), section);
+  print("By dimensions", variance.table({"noise", "dimensions"}), section);
+  print("L2 error over that of quasi", error.table({"noise", "samples_per_coefficient"}), section);
 }
 
-void printTimes(const std::vector<Row>& rows) {
+void printTimes(const std::vector<Row>& rows, ReportSection& section) {
   for (const char* figure : {"adapt_ms", "record_ns"}) {
     Pivot pivot(rows, "method");
     pivot.relativeTo(figure, "");
-    print(figure, pivot.table({"structure", "basis", "dimensions", "coefficients"}));
+    print(figure, pivot.table({"structure", "basis", "dimensions", "coefficients"}), section);
   }
 }
 
@@ -187,22 +204,24 @@ Pivot::Table Pivot::table(const std::vector<std::string>& keys) const {
   return table;
 }
 
-void printSummary(Part part, const std::vector<Row>& rows) {
+void printSummary(Part part, const std::vector<Row>& rows, ReportSection& section) {
   if (rows.empty()) return;
   std::printf("\n== %s\n", nameOf(part));
-  if (part == Part::kShrinkage) printShrinkage(rows);
-  if (part == Part::kFirst || part == Part::kAdaptive) printMethods(rows);
-  if (part == Part::kTime) printTimes(rows);
+  section.heading(std::string("Part ") + nameOf(part));
+  if (part == Part::kShrinkage) printShrinkage(rows, section);
+  if (part == Part::kFirst || part == Part::kAdaptive) printMethods(rows, section);
+  if (part == Part::kTime) printTimes(rows, section);
 }
 
-void printScenes(const std::vector<Row>& rows) {
+void printScenes(const std::vector<Row>& rows, ReportSection& section) {
   std::printf("\n== render\n");
+  section.heading("Part render");
   for (const char* figure : {"efficiency_to_cosine", "efficiency_to_paper"}) {
     const std::vector<Row> chosen = having(rows, figure);
     Pivot pivot(chosen, "method");
     pivot.relativeTo(figure, "");
     print((std::string(figure) + ", median over seeds").c_str(),
-          pivot.table({"scene", "basis", "samples_per_pixel"}));
+          pivot.table({"scene", "basis", "samples_per_pixel"}), section);
   }
 }
 

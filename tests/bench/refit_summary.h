@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "refit_densities.h"
+#include "report.h"
 
 namespace bench::refit {
 
@@ -42,9 +43,9 @@ class Pivot {
 /// A value as text, numbers so that they sort.
 std::string textOf(const Row& row, const std::string& key);
 
-/// Tables of a part on standard output.
-void printSummary(Part part, const std::vector<Row>& rows);
+/// Tables of a part, on standard output and in the section.
+void printSummary(Part part, const std::vector<Row>& rows, ReportSection& section);
 /// Those of the renderer.
-void printScenes(const std::vector<Row>& rows);
+void printScenes(const std::vector<Row>& rows, ReportSection& section);
 
 }  // namespace bench::refit

@@ -30,7 +30,7 @@ library that does this: each patch of a surface keeps a density over directions 
 coefficients, refined where the light calls for it (after Pietrek and Peter, 1999). A density must
 be learned and costs time, so guiding pays only if the noise falls by more than the time rises;
 where it doesn't, the figures below say so.</p>
-<details><summary>The words used below</summary>
+<details open><summary>The words used below</summary>
 <dl>
 <dt>samples per pixel</dt><dd>How many paths start in each pixel. Twice as many take twice the time
 and halve the squared error.</dd>

@@ -54,6 +54,7 @@ pre {
 table { border-collapse: collapse; font-size: 0.88rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding-bottom: 0.4rem; }
 th, td { padding: 0.25rem 0.7rem; text-align: left; vertical-align: top; }
+td:first-child { white-space: nowrap; }
 td { border-top: 1px solid var(--rule); }
 th { vertical-align: bottom; border-bottom: 2px solid var(--rule); }
 th.number, td.number { text-align: right; white-space: nowrap; }

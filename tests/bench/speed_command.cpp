@@ -6,12 +6,17 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "commands.h"
+#include "report.h"
+#include "row.h"
 #include "support/handles.h"
 
 namespace bench {
@@ -108,7 +113,62 @@ void addAll(AWDDevice device, AWDDensityStructure structure, const char* basis, 
 struct Options {
   bool quick = false;
   std::string filter = ".";
+  std::string folder;
 };
+
+/// Shows results as ever, and keeps them.
+class KeepingReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) keep(run);
+  }
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  void keep(const Run& run) {
+    std::istringstream name(run.benchmark_name());
+    std::string part[4];
+    for (std::string& text : part) std::getline(name, text, '/');
+    Row row = {{"structure", part[0]},
+               {"basis", part[1]},
+               {"level", std::stoi(part[2])},
+               {"call", part[3]}};
+    row["ns_per_sample"] = 1e9 * run.cpu_accumulated_time /
+                           (static_cast<double>(run.iterations) * static_cast<double>(kBatch));
+    for (const char* counter : {"coefficients", "bytes"}) {
+      const auto found = run.counters.find(counter);
+      if (found != run.counters.end()) row[counter] = static_cast<double>(found->second);
+    }
+    rows_.push_back(std::move(row));
+  }
+
+  std::vector<Row> rows_;
+};
+
+ReportSection sectionOf(const std::vector<Row>& rows) {
+  ReportSection section("speed", "What a sample costs");
+  section.paragraph(
+      "CPU time of drawing a direction with its density (sample+pdf), of looking one up (pdf), of "
+      "recording a sample, and of that with an adapt every 100,000 samples, in two dimensions for "
+      "each basis and level. Clocks of a busy or virtual machine vary.");
+  section.command(commandLine());
+  ReportTable table = {
+      "Nanoseconds a sample.",
+      {"structure", "basis", "level", "call", "ns a sample", "coefficients", "bytes"},
+      {}};
+  for (const Row& row : rows) {
+    const auto count = [&](const char* name) {
+      return row.contains(name) ? std::to_string(row[name].get<long long>()) : std::string("–");
+    };
+    table.rows.push_back({row["structure"].get<std::string>(), row["basis"].get<std::string>(),
+                          row["level"].dump(), row["call"].get<std::string>(),
+                          shortNumber(row["ns_per_sample"].get<double>()), count("coefficients"),
+                          count("bytes")});
+  }
+  section.table(table);
+  return section;
+}
 
 int run(const Options& options) {
   std::printf(
@@ -144,8 +204,13 @@ int run(const Options& options) {
   char* arguments[] = {program.data(), time.data(), filter.data(), nullptr};
   int count = 3;
   benchmark::Initialize(&count, arguments);
-  benchmark::RunSpecifiedBenchmarks();
+  KeepingReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
+  if (options.folder.empty()) return 0;
+  std::filesystem::create_directories(options.folder);
+  writeRows({{"command", commandLine()}, {"seed", 1}}, reporter.rows(), options.folder, "speed");
+  writeReport(options.folder, sectionOf(reporter.rows()));
   return 0;
 }
 
@@ -156,6 +221,8 @@ void addSpeedCommand(CLI::App& program, Action& action) {
   const auto options = std::make_shared<Options>();
   command->add_flag("--quick", options->quick, "One level, short runs");
   command->add_option("--filter", options->filter, "Only what matches this, such as grid/m2/4/pdf");
+  command->add_option("--out", options->folder,
+                      "Folder for speed.json, speed.csv and a section of index.html");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

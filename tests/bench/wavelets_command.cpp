@@ -4,11 +4,15 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include "command_line.h"
 #include "commands.h"
+#include "report.h"
+#include "row.h"
 #include "support/handles.h"
 
 namespace bench {
@@ -18,6 +22,7 @@ using awdtest::must;
 
 constexpr uint32_t kDimensions = 2;
 constexpr uint32_t kLevel = 5;
+constexpr std::size_t kQuickSamples = 2000;
 constexpr uint32_t kGrid = 512;  // points of the quadrature along an axis
 
 struct Function {
@@ -76,26 +81,79 @@ Density learn(AWDDevice device, const char* basis, const Function& f, std::size_
   return density;
 }
 
-int run(std::size_t samples) {
-  AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
-  awdtest::Handle<AWDDevice, awdReleaseDevice> device;
-  must(awdNewDevice(&desc, device.out()));
-  std::printf("%zu samples on %u x %u boxes; variance relative to the squared integral\n", samples,
-              1u << kLevel, 1u << kLevel);
-  std::printf("%-6s %-10s %8s %8s %8s %10s %10s\n", "basis", "function", "all", "dropped", "split",
-              "variance", "after");
+struct Options {
+  bool quick = false;
+  std::size_t samples = 20000;
+  std::string folder;
+};
+
+void print(const Row& row) {
+  std::printf("%-6s %-10s %8llu %8llu %8llu %10.5f %10.5f\n",
+              row["basis"].get<std::string>().c_str(), row["function"].get<std::string>().c_str(),
+              row["coefficients"].get<unsigned long long>(),
+              row["dropped"].get<unsigned long long>(), row["split"].get<unsigned long long>(),
+              row["variance"].get<double>(), row["variance_after"].get<double>());
+}
+
+std::vector<Row> measure(AWDDevice device, std::size_t samples) {
+  std::vector<Row> rows;
   for (const char* basis : {"haar", "f2", "m2", "m3"}) {
     for (const Function& f : kFunctions) {
       AWDDensityReport all = AWD_DENSITY_REPORT_INIT, kept = AWD_DENSITY_REPORT_INIT;
       const Density full = learn(device, basis, f, samples, true, all);
       const Density coarse = learn(device, basis, f, samples, false, kept);
-      std::printf("%-6s %-10s %8llu %8llu %8llu %10.5f %10.5f\n", basis, f.name,
-                  static_cast<unsigned long long>(all.coefficients),
-                  static_cast<unsigned long long>(kept.coarsened),
-                  static_cast<unsigned long long>(kept.split), relativeVariance(full, f),
-                  relativeVariance(coarse, f));
+      rows.push_back({{"basis", basis},
+                      {"function", f.name},
+                      {"coefficients", all.coefficients},
+                      {"dropped", kept.coarsened},
+                      {"split", kept.split},
+                      {"variance", relativeVariance(full, f)},
+                      {"variance_after", relativeVariance(coarse, f)}});
+      print(rows.back());
     }
   }
+  return rows;
+}
+
+ReportSection sectionOf(const std::vector<Row>& rows, std::size_t samples) {
+  ReportSection section("wavelets", "Coefficients that need not be kept");
+  section.paragraph(
+      "A density in " + std::to_string(1u << kLevel) + " x " + std::to_string(1u << kLevel) +
+      " boxes learns a function from " + std::to_string(samples) +
+      " samples. Wavelet details smaller than their own standard error are noise: dropping them "
+      "saves coefficients. The variance of f/p, relative to the squared integral, tells what that "
+      "does to sampling; lower is better.");
+  section.command(commandLine());
+  ReportTable table = {"Merged and split boxes, and the variance without and with that.",
+                       {"basis", "function", "coefficients", "dropped", "split", "variance",
+                        "variance after", "after / before"},
+                       {}};
+  for (const Row& row : rows) {
+    const double before = row["variance"].get<double>(),
+                 after = row["variance_after"].get<double>();
+    table.rows.push_back({row["basis"].get<std::string>(), row["function"].get<std::string>(),
+                          row["coefficients"].dump(), row["dropped"].dump(), row["split"].dump(),
+                          shortNumber(before), shortNumber(after), shortNumber(after / before)});
+  }
+  section.table(table);
+  return section;
+}
+
+int run(const Options& options) {
+  AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
+  awdtest::Handle<AWDDevice, awdReleaseDevice> device;
+  must(awdNewDevice(&desc, device.out()));
+  const std::size_t samples = options.quick ? kQuickSamples : options.samples;
+  std::printf("%zu samples on %u x %u boxes; variance relative to the squared integral\n", samples,
+              1u << kLevel, 1u << kLevel);
+  std::printf("%-6s %-10s %8s %8s %8s %10s %10s\n", "basis", "function", "all", "dropped", "split",
+              "variance", "after");
+  const std::vector<Row> rows = measure(device, samples);
+  if (options.folder.empty()) return 0;
+  std::filesystem::create_directories(options.folder);
+  writeRows({{"command", commandLine()}, {"samples", samples}, {"seed", 1}}, rows, options.folder,
+            "wavelets");
+  writeReport(options.folder, sectionOf(rows, samples));
   return 0;
 }
 
@@ -104,10 +162,14 @@ int run(std::size_t samples) {
 void addWaveletsCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
       "wavelets", "Coefficients saved by dropping details below their standard error");
-  const auto samples = std::make_shared<std::size_t>(20000);
-  command->add_option("--samples", *samples, "Of the pass; default 20000")
-      ->check(CLI::Range(1000, 100000000));
-  command->callback([samples, &action] { action = [samples] { return run(*samples); }; });
+  const auto options = std::make_shared<Options>();
+  CLI::Option* samples =
+      command->add_option("--samples", options->samples, "Of the pass; default 20000")
+          ->check(CLI::Range(1000, 100000000));
+  command->add_flag("--quick", options->quick, "2000 samples")->excludes(samples);
+  command->add_option("--out", options->folder,
+                      "Folder for wavelets.json, wavelets.csv and a section of index.html");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 }  // namespace bench
