@@ -15,6 +15,7 @@ void addDensityCommand(CLI::App& program, Action& action);
 void addExtremesCommand(CLI::App& program, Action& action);
 #ifdef AWD_BENCH_SCENES
 void addGuideCommand(CLI::App& program, Action& action);
+void addPaperCommand(CLI::App& program, Action& action);
 void addRivalCommand(CLI::App& program, Action& action);
 #endif
 void addRefitCommand(CLI::App& program, Action& action);
