@@ -148,6 +148,9 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
   }
   const auto samples = static_cast<double>(statistics.samples());
   if (samples == 0.0 || statistics.common().overflowed()) return next;
+  // All that came was lost by rounding: the next pass, whose unit is of its magnitude, will know
+  // better, and must not take it for the dark.
+  if (statistics.isBelowUnit()) return next;
   next.weight = known.weight + samples;
   next.mean = (known.mean * known.weight + statistics.mean() * samples) / next.weight;
 

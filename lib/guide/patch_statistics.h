@@ -134,6 +134,10 @@ class PatchStatistics {
         means_ ? means_->total() : visitSums(sums_, [](const auto& sums) { return sums.total(); });
     return total / static_cast<double>(std::max<uint64_t>(1, samples()));
   }
+  /// Whether something came, but less on average than the unit that it was summed in.
+  bool isBelowUnit() const {
+    return common().largest() > 0.0 && mean() < std::ldexp(1.0, common().unitExponent());
+  }
   /// What the sums are of, if they are of squares: f^2 over this.
   double squaresUnit() const { return FixedSums::magnitudeFor(common().unitExponent()); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace awd {
 
@@ -34,7 +35,9 @@ Rgb Film::variance(std::size_t pixel) const {
   const auto ofMean = [&](double weighted, double sum, double squares) {
     const double mean = weighted / weights_;
     const double deviations = squares - 2.0 * mean * sum + mean * mean * squaredWeights_;
-    return static_cast<float>(std::max(deviations, 0.0) / divisor);
+    // Of radiance beyond 1e19 the square leaves the range of floats.
+    constexpr double kMost = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(deviations / divisor, 0.0, kMost));
   };
   return {ofMean(p.weighted.x, p.sum.x, p.squares.x), ofMean(p.weighted.y, p.sum.y, p.squares.y),
           ofMean(p.weighted.z, p.sum.z, p.squares.z)};

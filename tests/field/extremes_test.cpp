@@ -110,6 +110,30 @@ TEST_P(Extremes, ExtremeMagnitudesWithoutTheirScale) {
   expectSane(coefficientsOf(field_, kPatch));
 }
 
+/// What is lost by rounding is not taken for the dark: but for its unit the next pass learns as if
+/// it were the first.
+TEST_P(Extremes, ValuesBelowTheUnitAreNotZeros) {
+  const auto tiny = [](double u, double v) { return 1e-20 * steps(u, v); };
+  std::vector<double> c[2];
+  for (const bool told : {true, false}) {
+    begin(2, 2, 0.0);
+    Random random(20);
+    if (told) {
+      must(awdSetFieldScale(field_, 1e-20));
+    } else {
+      Random other(21);
+      record(5000, other, tiny);
+      EXPECT_EQ(adapt(field_).kept, 1u);
+      EXPECT_EQ(coefficientsOf(field_, kPatch).c, std::vector<double>(16, 1.0));
+    }
+    record(5000, random, tiny);
+    EXPECT_EQ(adapt(field_).kept, 0u);
+    c[told] = coefficientsOf(field_, kPatch).c;
+  }
+  ASSERT_EQ(c[0].size(), c[1].size());
+  for (size_t i = 0; i < c[0].size(); ++i) EXPECT_NEAR(c[0][i], c[1][i], 1e-6 * c[1][i]) << i;
+}
+
 /// Every value is clamped to the same, so that the density must stay constant; the sums that hold
 /// 2^63 units at 2^52 a sample must not wrap to something else.
 TEST_P(Extremes, SumsOfClampedValuesDontWrap) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "util/random.h"
 
@@ -33,6 +34,19 @@ TEST(Film, HasNoVarianceBelowTwoSamples) {
   pass.pixel(0, 0).add({4, 4, 4}, true);
   film.merge(pass, 1, 1.0);
   EXPECT_EQ(film.variance(0), Rgb());
+}
+
+/// Radiance is of floats, and its square may not be.
+TEST(Film, VarianceStaysFinite) {
+  Film film(std::pmr::get_default_resource(), 1, 1);
+  PassFilm pass(std::pmr::get_default_resource(), 1, 1);
+  pass.pixel(0, 0).add({1e30f, 1e-30f, 3e38f}, true);
+  pass.pixel(0, 0).add({3e30f, 3e-30f, 0.0f}, false);
+  film.merge(pass, 2, 1.0);
+  constexpr float kMost = std::numeric_limits<float>::max();
+  EXPECT_EQ(film.variance(0), Rgb({kMost, 0.0f, kMost}));
+  EXPECT_FLOAT_EQ(film.mean(0).x, 2e30f);
+  EXPECT_FLOAT_EQ(film.mean(0).y, 2e-30f);
 }
 
 // Passes of 4 and 8 samples of standard deviations 3 and 1, weighted by inverse variance: the
