@@ -2,11 +2,10 @@
 #include "density/extremes.h"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 
 #include "density/densities.h"
+#include "support/findings.h"
 
 namespace awdtest {
 
@@ -15,38 +14,6 @@ namespace {
 constexpr double kBelowOne = 1.0 - 0x1p-53;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNoFloor = -1.0;
-
-/// Keeps the first complaint.
-class Findings {
- public:
-  [[gnu::format(printf, 3, 4)]] void expect(bool good, const char* format, ...) {
-    if (good || !ok_) return;
-    ok_ = false;
-    std::va_list arguments;
-    va_start(arguments, format);
-    keep(format, arguments);
-    va_end(arguments);
-  }
-  /// What to say if there is no complaint.
-  [[gnu::format(printf, 2, 3)]] Outcome outcome(const char* format, ...) {
-    if (ok_) {
-      std::va_list arguments;
-      va_start(arguments, format);
-      keep(format, arguments);
-      va_end(arguments);
-    }
-    return {ok_, text_};
-  }
-
- private:
-  void keep(const char* format, std::va_list arguments) {
-    char text[400];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    text_ = text;
-  }
-  bool ok_ = true;
-  std::string text_;
-};
 
 /// One for all cases: a device tests each family when it is first asked for.
 AWDDevice device() {
@@ -555,7 +522,7 @@ Outcome hugeRatios() {
 
 }  // namespace
 
-const std::vector<Extreme>& extremes() {
+const std::vector<Extreme>& densityExtremes() {
   static const std::vector<Extreme> all = {
       {"f all zero", "keeps p and says so; the zeros count", allZero},
       {"no samples", "keeps p and says so", noSamples},

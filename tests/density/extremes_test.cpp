@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <ostream>
 
 namespace awdtest {
@@ -16,16 +15,11 @@ namespace {
 
 class Extremes : public testing::TestWithParam<Extreme> {};
 
-INSTANTIATE_TEST_SUITE_P(All, Extremes, testing::ValuesIn(extremes()), [](const auto& extreme) {
-  std::string name;
-  for (const char c : std::string(extreme.param.name)) {
-    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  }
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, Extremes, testing::ValuesIn(densityExtremes()),
+                         [](const auto& extreme) { return testNameOf(extreme.param); });
 
 TEST_P(Extremes, ComeOutAsExpected) {
-  const Outcome outcome = GetParam().run();
+  const Outcome outcome = outcomeOf(GetParam());
   EXPECT_TRUE(outcome.ok) << "expected: " << GetParam().expected << "; seen: " << outcome.seen;
   RecordProperty("seen", outcome.seen);
 }
