@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "awd_handles.hpp"
 #include "camera_choice.h"
@@ -129,10 +130,31 @@ void writeStatistics(const Render& render, const Field& field, const AWDCamera& 
       {"estimator", field.get() ? json(options.estimator) : json()},
       {"refit_solver", options.refitSolver ? json(*options.refitSolver) : json()},
       {"preset", options.preset},
+      {"quality", options.quality ? json(*options.quality) : json()},
       {"seed", options.seed},
       {"spp", spp}};
   if (field.get() && options.estimator == "refit") statistics["refit"] = refitStatistics(field);
   writeFile(*options.json, toText(statistics));
+}
+
+/// Where time or samples ran out before the film was as good as its quality promises.
+void tellBrokenPromise(const Render& render, const RenderOptions& options) {
+  AWDPassStatistics statistics = AWD_PASS_STATISTICS_INIT;
+  check(awdGetRenderStatistics(render.get(), &statistics));
+  const std::string samples = std::to_string(statistics.samplesPerPixel) + " samples a pixel";
+  if (statistics.samplesPerPixel < 2) {
+    warn("--quality " + *options.quality + " is not reached: of " + samples +
+             " no error can be told");
+    return;
+  }
+  AWDRenderError error = AWD_RENDER_ERROR_INIT;
+  check(awdGetRenderError(render.get(), &error));
+  if (error.upper <= options.schedule.error) return;
+  std::ostringstream text;
+  text << "--quality " << *options.quality << " is not reached: after " << samples
+       << " the error may be " << error.upper << " of the mean radiance, not "
+       << options.schedule.error;
+  warn(text.str());
 }
 
 int render(RenderOptions& options, const std::string& commandLine) {
@@ -167,6 +189,7 @@ int render(RenderOptions& options, const std::string& commandLine) {
                  : "interrupted: only finished passes are written, " + std::to_string(passes));
     if (passes == 0) return kInterrupted;
   }
+  if (complete && options.quality) tellBrokenPromise(render, options);
   writeImage(render, options, commandLine);
   for (const PdfRequest& pdf : options.pdfs) pdf.write(render, field);
   if (options.json) writeStatistics(render, field, camera, options);

@@ -15,6 +15,16 @@ namespace {
 const std::vector<std::string> kEstimators = {"default", "paper", "mixture", "ratio",
                                               "quasi",   "refit", "lumped"};
 
+/// In the order of AWD_QUALITY_..., which begin with 1.
+const std::vector<std::string> kQualities = {"draft", "normal", "fine", "reference"};
+
+AWDSchedule scheduleOf(const std::string& quality) {
+  const auto found = std::find(kQualities.begin(), kQualities.end(), quality);
+  AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  check(awdGetQualitySchedule(static_cast<AWDQuality>(found - kQualities.begin() + 1), &schedule));
+  return schedule;
+}
+
 }  // namespace
 
 void RenderOptions::describe(CLI::App& command) {
@@ -59,6 +69,12 @@ void RenderOptions::describe(CLI::App& command) {
                   "As many samples as it takes until the root mean square error is at\n"
                   "most this share of the mean radiance, 95 times of 100")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--quality", quality,
+                  "draft, normal, fine or reference: --error 0.5, 0.25, 0.1 or 0.05, with\n"
+                  "1024, 4096, 16384 or 65536 samples per pixel at most; says so if they\n"
+                  "are not enough")
+      ->check(CLI::IsMember(kQualities));
   command.add_option("--memory", memory, "MiB that film and field may take together")
       ->check(CLI::PositiveNumber);
   command.add_option("--seed", seed, "Another seed, another noise")
@@ -105,6 +121,20 @@ void RenderOptions::finish() {
   }
   schedule.seconds = seconds.value_or(0.0);
   schedule.error = error.value_or(0.0);
+  if (quality) {
+    if (spp || passes || samples || error) {
+      throw UsageError(
+          "--quality is an error and a number of samples by itself: it can't be used "
+          "with --" +
+          std::string(spp       ? "spp"
+                      : passes  ? "passes"
+                      : samples ? "samples"
+                                : "error"));
+    }
+    const AWDSchedule limits = scheduleOf(*quality);
+    schedule.totalSamples = limits.totalSamples;
+    schedule.error = limits.error;
+  }
   for (const std::string& text : pdfTexts) pdfs.emplace_back(text);
   if (!pdfs.empty() && !isAdaptive()) {
     throw UsageError("--pdf shows adaptive densities: there are none with --guide " + guide);

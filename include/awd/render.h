@@ -217,6 +217,25 @@ typedef struct AWDSchedule {
 AWD_EXPORT AWDResult AWD_CALL awdRenderPasses(AWDRender render,
                                               const AWDSchedule* schedule) AWD_NOEXCEPT;
 
+/* How good an image must be, as a promise that the film itself keeps: its error, the upper end of
+   awdGetRenderError(), is at most
+     draft 0.5, normal 0.25, fine 0.1, reference 0.05
+   of its mean radiance, or it has had as many samples per pixel as it may have at most:
+     draft 1024, normal 4096, fine 16384, reference 65536. */
+typedef int32_t AWDQuality;
+enum {
+  AWD_QUALITY_DRAFT = 1,
+  AWD_QUALITY_NORMAL = 2,
+  AWD_QUALITY_FINE = 3,
+  AWD_QUALITY_REFERENCE = 4
+};
+
+/* Sets `error` and `totalSamples` to those of the quality, and all else to AWD_SCHEDULE_INIT; the
+   host may add seconds. Whether the promise was kept is to be asked for after awdRenderPasses():
+   upper > schedule.error where samples or seconds ran out before. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdGetQualitySchedule(AWDQuality quality,
+                                                    AWDSchedule* schedule) AWD_NOEXCEPT;
+
 /* Passes finished so far, and the figures of each; index < count. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPassCount(AWDRender render, uint32_t* count) AWD_NOEXCEPT;
 AWD_EXPORT AWDResult AWD_CALL awdGetPassStatistics(AWDRender render, uint32_t index,

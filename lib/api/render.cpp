@@ -6,6 +6,7 @@
 #include "api/field_maker.h"
 #include "api/handles.h"
 #include "render/render.h"
+#include "render/schedule.h"
 
 using namespace awd;
 
@@ -123,6 +124,12 @@ AWDResult AWD_CALL awdRenderPasses(AWDRender render, const AWDSchedule* schedule
     AWDSchedule known = AWD_SCHEDULE_INIT;
     if (schedule) known = readStruct(schedule, "schedule", "AWD_SCHEDULE_INIT");
     object(render, "render").passes(known);
+  });
+}
+
+AWDResult AWD_CALL awdGetQualitySchedule(AWDQuality quality, AWDSchedule* schedule) noexcept {
+  return guard(__func__, [&] {
+    writeStruct(schedule, qualitySchedule(quality), "schedule", "AWD_SCHEDULE_INIT");
   });
 }
 

@@ -12,6 +12,14 @@ namespace {
 constexpr uint32_t kPaperPasses[] = {10, 10, 10, 70};
 constexpr uint32_t kDefaultSamples = 100;
 
+/// What awd/render.h promises, from AWD_QUALITY_DRAFT on. Most scenes take far fewer samples: there
+/// may be so many for the sake of those where light is hard to find.
+struct QualityLimits {
+  double error;
+  uint32_t totalSamples;
+};
+constexpr QualityLimits kQualities[] = {{0.5, 1024}, {0.25, 4096}, {0.1, 16384}, {0.05, 65536}};
+
 /// The paper's proportions: three passes of a tenth, then the rest.
 void dividePaper(uint32_t total, std::pmr::vector<uint32_t>& passes) {
   const uint32_t early = total / 10;
@@ -35,6 +43,17 @@ void divideDoubling(uint32_t total, std::pmr::vector<uint32_t>& passes) {
 }  // namespace
 
 uint32_t passSize(uint32_t k) { return uint32_t{1} << std::min(k / 3, 30u); }
+
+AWDSchedule qualitySchedule(AWDQuality quality) {
+  if (quality < AWD_QUALITY_DRAFT || quality > AWD_QUALITY_REFERENCE) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "quality is %d: not an AWD_QUALITY_...", quality);
+  }
+  const QualityLimits& limits = kQualities[quality - AWD_QUALITY_DRAFT];
+  AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  schedule.totalSamples = limits.totalSamples;
+  schedule.error = limits.error;
+  return schedule;
+}
 
 std::pmr::vector<uint32_t> planPasses(std::pmr::memory_resource* memory,
                                       const AWDSchedule& schedule, AWDPreset preset, bool learns) {

@@ -18,4 +18,7 @@ uint32_t passSize(uint32_t k);
 std::pmr::vector<uint32_t> planPasses(std::pmr::memory_resource* memory,
                                       const AWDSchedule& schedule, AWDPreset preset, bool learns);
 
+/// The limits that a quality stands for.
+AWDSchedule qualitySchedule(AWDQuality quality);
+
 }  // namespace awd

@@ -94,6 +94,13 @@ silent "$awd" render "$scenes/box.obj" -o s.exr --width 4 --spp 1 --basis haar
 # Other budgets: an error that is reached, and memory that is kept or said to be too little.
 silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --error 0.2 --json s.json
 awk "BEGIN{exit !($("$tool" json s.json /error/upper) <= 0.2)}" || complain "--error 0.2 was missed"
+silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --quality draft --json s.json
+[ "$("$tool" json s.json /settings/quality)" = '"draft"' ] || complain "quality"
+awk "BEGIN{exit !($("$tool" json s.json /error/upper) <= 0.5)}" || complain "a draft was missed"
+[ "$("$tool" json s.json /total/samples_per_pixel)" -le 1024 ] || complain "a draft took too much"
+# Where there is no time for it, the image is written, and not called better than it is.
+succeeds "$awd" render "$scenes/box.obj" -o s.exr --width 16 --quality reference --seconds 1e-6
+says "warning: --quality reference is not reached: "
 silent "$awd" render "$scenes/box.obj" -o s.exr --width 16 --memory 4 --samples 4 --json s.json
 [ "$("$tool" json s.json /total/bytes)" -le 4194304 ] || complain "--memory 4 was exceeded"
 fails 1 "bytes by itself" "$awd" render "$scenes/box.obj" -o s.exr --width 16 \

@@ -10,7 +10,7 @@ for subcommand in render png compare bases check-basis; do
 done
 succeeds "$awd" render --help
 for option in output camera width height guide basis level estimator refit-solver preset passes \
-  spp samples seed threads shadow-rays json pdf basis-path; do
+  spp samples quality seed threads shadow-rays json pdf basis-path; do
   grep -q -- "--$option" out || complain "render --help does not list --$option"
 done
 succeeds "$awd" --version
@@ -52,6 +52,9 @@ fails 2 "--passes needs --spp" $render --passes 4
 fails 2 "it can't be used with --spp" $render --spp 4 --seconds 1
 fails 2 "--seconds" $render --seconds 0
 fails 2 "it can't be used with --spp" $render --spp 4 --error 0.1
+fails 2 "it can't be used with --samples" $render --quality draft --samples 4
+fails 2 "it can't be used with --error" $render --quality draft --error 0.1
+for value in 1 best Draft; do fails 2 "--quality" $render --quality "$value"; done
 for option in --error --memory; do fails 2 "$option" $render $option 0; done
 fails 2 "none with --guide cosine" $render --spp 1 --guide cosine --save-field f.awd
 fails 2 "it can't be used with --basis" $render --spp 1 --basis haar --field f.awd

@@ -235,6 +235,18 @@ TEST_F(Settings, SchedulesWithoutSamples) {
   expectFailure(awdGetPixelPatch(render_, 0, 4, &count), kInvalid, {"(0, 4)", "4 x 4"});
 }
 
+TEST_F(Settings, QualitiesThatAreNone) {
+  AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  for (const AWDQuality bad : {-1, 0, 5, 77}) {
+    expectFailure(awdGetQualitySchedule(bad, &schedule), kInvalid,
+                  {"quality", std::to_string(bad)});
+  }
+  expectFailure(awdGetQualitySchedule(AWD_QUALITY_DRAFT, nullptr), kInvalid, {"schedule", "NULL"});
+  schedule.structSize = 0;
+  expectFailure(awdGetQualitySchedule(AWD_QUALITY_DRAFT, &schedule), kInvalid,
+                {"structSize", "AWD_SCHEDULE_INIT"});
+}
+
 /// 0 stands for the preset's schedule; a total is divided without loss.
 TEST_F(Settings, SchedulesByTheLibrary) {
   AWDRenderDesc desc = desc_;

@@ -48,6 +48,21 @@ TEST(Schedule, TakesTheHostsNumbers) {
             (Passes{3, 1, 2}));
 }
 
+TEST(Schedule, QualitiesAskForLessErrorWithMoreSamples) {
+  AWDSchedule before = AWD_SCHEDULE_INIT;
+  before.error = 1.0;
+  for (AWDQuality quality = AWD_QUALITY_DRAFT; quality <= AWD_QUALITY_REFERENCE; ++quality) {
+    const AWDSchedule schedule = qualitySchedule(quality);
+    EXPECT_EQ(schedule.structSize, sizeof schedule);
+    EXPECT_GT(schedule.error, 0.0);
+    EXPECT_LT(schedule.error, before.error);
+    EXPECT_GT(schedule.totalSamples, before.totalSamples);
+    EXPECT_EQ(schedule.samplesPerPass, nullptr);
+    EXPECT_EQ(schedule.seconds, 0.0);
+    before = schedule;
+  }
+}
+
 TEST(Schedule, RefusesContradictions) {
   const uint32_t numbers[] = {3, 0};
   AWDSchedule schedule = AWD_SCHEDULE_INIT;
