@@ -144,7 +144,7 @@ void tellBrokenPromise(const Render& render, const RenderOptions& options) {
   const std::string samples = std::to_string(statistics.samplesPerPixel) + " samples a pixel";
   if (statistics.samplesPerPixel < 2) {
     warn("--quality " + *options.quality + " is not reached: of " + samples +
-             " no error can be told");
+         " no error can be told");
     return;
   }
   AWDRenderError error = AWD_RENDER_ERROR_INIT;

@@ -18,6 +18,7 @@ void addGuideCommand(CLI::App& program, Action& action);
 void addPaperCommand(CLI::App& program, Action& action);
 void addRivalCommand(CLI::App& program, Action& action);
 void addScaleCommand(CLI::App& program, Action& action);
+void addTradeCommand(CLI::App& program, Action& action);
 #endif
 void addRefitCommand(CLI::App& program, Action& action);
 void addWaveletsCommand(CLI::App& program, Action& action);

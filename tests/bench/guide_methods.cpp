@@ -85,6 +85,10 @@ const std::vector<Method>& methods() {
          with.render.guide = AWD_GUIDE_COSINE;
          with.render.points = AWD_POINTS_RANDOM;
        }},
+      {"two-passes", "adaptive, two passes of equal length",
+       [](Settings& with) { with.equalPasses = 2; }},
+      {"eight-passes", "adaptive, eight passes of equal length",
+       [](Settings& with) { with.equalPasses = 8; }},
       {"by-count", "adaptive, every sample counts the same in the image",
        [](Settings& with) { with.render.combination = AWD_COMBINE_COUNT; }},
   };

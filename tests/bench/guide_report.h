@@ -25,6 +25,7 @@ class Report {
            const std::vector<Shot>* base);
   /// All rows so far; complete: there will be no more, for nothing was interrupted.
   void write(bool complete);
+  const std::vector<Row>& rows() const { return rows_; }
 
  private:
   std::string folder_, name_;

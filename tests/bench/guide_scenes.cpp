@@ -16,18 +16,6 @@ using SceneFiles = std::map<std::string, std::string>;
   throw std::runtime_error(message);
 }
 
-SceneFiles chosenScenes(const Options& options) {
-  SceneFiles all = sceneFiles(options.moreScenes);
-  if (options.only.empty()) return all;
-  SceneFiles chosen;
-  for (const std::string& name : options.only) {
-    const auto found = all.find(name);
-    if (found == all.end()) failUnknown(name, all);
-    chosen.insert(*found);
-  }
-  return chosen;
-}
-
 class Comparison {
  public:
   Comparison(const Options& options, const std::vector<Contender>& contenders, Report& report,
@@ -40,24 +28,9 @@ class Comparison {
 
   /// False: cancelled.
   bool measure(const std::string& name, const std::string& file) {
-    std::optional<Reference> reference;
-    if (!options_.references.empty()) {
-      reference = averageReference(device_.get(), options_.references, name);
-      if (!reference) {
-        std::fprintf(stderr, "%s is left out: no %s/%s-*.exr\n", name.c_str(),
-                     options_.references.c_str(), name.c_str());
-        return true;
-      }
-    }
-    LoadedScene loaded =
-        loadScene(device_, name, file, reference ? reference->mean.width : options_.width);
-    if (!reference) {
-      if (!takeReference(device_, options_.folder, options_.referenceSamples, loaded)) return false;
-    } else if (reference->mean.height != loaded.camera.height) {
-      throw std::runtime_error("the reference of " + name + " is not of its camera's aspect");
-    } else {
-      loaded.reference = std::move(*reference);
-    }
+    const std::optional<LoadedScene> scene = loadChosen(device_, options_, name, file);
+    if (!scene) return !cancelled_();
+    const LoadedScene& loaded = *scene;
     report_.begin(loaded);
     return std::all_of(options_.samples.begin(), options_.samples.end(),
                        [&](uint32_t samples) { return measure(loaded, samples); });
@@ -97,6 +70,43 @@ class Comparison {
 };
 
 }  // namespace
+
+SceneFiles chosenScenes(const Options& options) {
+  SceneFiles all = sceneFiles(options.moreScenes);
+  if (options.only.empty()) return all;
+  SceneFiles chosen;
+  for (const std::string& name : options.only) {
+    const auto found = all.find(name);
+    if (found == all.end()) failUnknown(name, all);
+    chosen.insert(*found);
+  }
+  return chosen;
+}
+
+std::optional<LoadedScene> loadChosen(const command::Device& device, const Options& options,
+                                      const std::string& name, const std::string& file) {
+  std::optional<Reference> reference;
+  if (!options.references.empty()) {
+    reference = averageReference(device.get(), options.references, name);
+    if (!reference) {
+      std::fprintf(stderr, "%s is left out: no %s/%s-*.exr\n", name.c_str(),
+                   options.references.c_str(), name.c_str());
+      return std::nullopt;
+    }
+  }
+  LoadedScene loaded =
+      loadScene(device, name, file, reference ? reference->mean.width : options.width);
+  if (!reference) {
+    if (!takeReference(device, options.folder, options.referenceSamples, loaded)) {
+      return std::nullopt;
+    }
+  } else if (reference->mean.height != loaded.camera.height) {
+    throw std::runtime_error("the reference of " + name + " is not of its camera's aspect");
+  } else {
+    loaded.reference = std::move(*reference);
+  }
+  return loaded;
+}
 
 bool measureScenes(const Options& options, const std::vector<Contender>& contenders, Report& report,
                    Cancelled cancelled) {

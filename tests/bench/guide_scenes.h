@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,13 @@ struct Contender {
                      uint64_t seed, Shot& shot)>
       shoot;
 };
+
+/// The scenes that are asked for: files by name. Throws if there is none of a name.
+std::map<std::string, std::string> chosenScenes(const Options& options);
+
+/// One of them, with its reference. None: left out for want of one, which is said, or cancelled.
+std::optional<LoadedScene> loadChosen(const command::Device& device, const Options& options,
+                                      const std::string& name, const std::string& file);
 
 /// Renders, the baseline first, and reports each row as soon as it has its last seed. False:
 /// cancelled; what was done by then is reported too.

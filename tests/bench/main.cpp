@@ -12,11 +12,11 @@ namespace {
 using AddCommand = void (*)(CLI::App& program, bench::Action& action);
 
 constexpr AddCommand kCommands[] = {
-    bench::addDensityCommand, bench::addExtremesCommand,
-    bench::addRefitCommand,   bench::addWaveletsCommand,
+    bench::addDensityCommand,  bench::addExtremesCommand, bench::addRefitCommand,
+    bench::addWaveletsCommand,
 #ifdef AWD_BENCH_SCENES
-    bench::addGuideCommand,   bench::addRivalCommand,
-    bench::addPaperCommand,   bench::addScaleCommand,
+    bench::addGuideCommand,    bench::addRivalCommand,    bench::addPaperCommand,
+    bench::addScaleCommand,    bench::addTradeCommand,
 #endif
 #ifdef AWD_BENCH_GOOGLE
     bench::addSpeedCommand,

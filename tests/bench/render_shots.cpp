@@ -123,6 +123,15 @@ bool takeReference(const command::Device& device, const std::string& folder, uin
 bool shoot(const LoadedScene& loaded, Settings settings, uint32_t samples, uint64_t seed,
            Shot& shot) {
   set(settings, loaded, samples, seed);
+  std::vector<uint32_t> passes;
+  if (settings.equalPasses > 0) {
+    const uint32_t count = std::min(settings.equalPasses, samples);
+    passes.assign(count, samples / count);
+    passes.back() += samples % count;
+    settings.schedule.samplesPerPass = passes.data();
+    settings.schedule.passCount = count;
+    settings.schedule.totalSamples = 0;
+  }
   awdtest::Field field;
   if (settings.render.guide == AWD_GUIDE_ADAPTIVE) {
     must(awdNewSceneField(loaded.scene.get(), &settings.field, field.out()));

@@ -43,6 +43,7 @@ struct Settings {
   AWDFieldDesc field = AWD_FIELD_DESC_INIT;
   AWDRenderDesc render = AWD_RENDER_DESC_INIT;
   AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  uint32_t equalPasses = 0;  ///< at most, with the rest in the last; 0: the library divides
 };
 
 /// Errors against the reference; its own variance is taken off the squared ones.
