@@ -35,10 +35,10 @@ int run(const Choice& choice, const Options& options) {
 /// What is small enough for seconds; what was asked for stays.
 void makeQuick(const CLI::App& command, Options& options) {
   const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
-  if (!given("--only")) options.only = {"cornell-box", "verification"};
+  if (!given("--only")) options.only = {"cornell-box", "two-rooms", "verification"};
   if (!given("--samples")) options.samples = {8, 32};
   if (!given("--seeds")) options.seeds = 2;
-  if (!given("--width")) options.width = 48;
+  if (!given("--width")) options.width = 64;
   if (!given("--reference-samples")) options.referenceSamples = 1024;
 }
 
@@ -55,7 +55,7 @@ void addOptions(CLI::App& command, Action& action, Choice choice,
   auto chosen = std::make_shared<Choice>(std::move(choice));
   auto onlyList = std::make_shared<bool>(false);
   auto quick = std::make_shared<bool>(false);
-  command.add_flag("--quick", *quick, "Two small scenes in seconds, but for what is asked for");
+  command.add_flag("--quick", *quick, "A few small cells, but for what is asked for");
   command.add_flag("--list", *onlyList, "Print the methods that there are");
   command
       .add_option("--methods", chosen->methods,

@@ -71,7 +71,7 @@ Row headOf(const Options& options) {
 refit::TakePlot takerOf(const Options& options, ReportSection& section) {
   return [&](const Plot& plot, const std::string& name) {
     if (canPlot()) writePlot(plot, options.folder, name);
-    section.plot(plot, name);
+    section.plot(plot, canPlot() ? "Also in " + name + ".svg and " + name + ".png." : "");
   };
 }
 

@@ -121,8 +121,8 @@ void ReportSection::command(const std::string& line) {
 }
 
 void ReportSection::table(const ReportTable& table) {
-  html_ += "<div class=\"table\" tabindex=\"0\"><table class=\"sortable\">\n<caption>" +
-           htmlEscape(table.caption) + "</caption>\n<thead><tr>";
+  html_ += "<div class=\"table\" tabindex=\"0\"><table class=\"sortable\">\n<caption><span>" +
+           htmlEscape(table.caption) + "</span></caption>\n<thead><tr>";
   std::vector<std::string> classes;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     classes.emplace_back(hasNumbers(table, i) ? " class=\"number\"" : "");

@@ -24,7 +24,7 @@ body {
   margin: 0; background: var(--page); color: var(--ink);
   font: 16px/1.5 system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
 }
-main { max-width: 1100px; margin: 0 auto; padding: 1rem clamp(0.8rem, 3vw, 2rem) 4rem; }
+main { max-width: 1200px; margin: 0 auto; padding: 1rem clamp(0.8rem, 3vw, 2rem) 4rem; }
 h1 { font-size: 1.8rem; line-height: 1.2; margin: 1rem 0; }
 h2 { font-size: 1.4rem; line-height: 1.25; margin: 0 0 0.8rem; }
 h3 { font-size: 1.1rem; margin: 1.8rem 0 0.5rem; }
@@ -51,9 +51,15 @@ pre {
 }
 .table, .scroll { overflow-x: auto; max-width: 100%; }
 .table { margin: 0.8rem 0 1.4rem; }
-table { border-collapse: collapse; font-size: 0.88rem; font-variant-numeric: tabular-nums; }
+table {
+  min-width: min(100%, 26rem); border-collapse: collapse; font-size: 0.88rem;
+  font-variant-numeric: tabular-nums;
+}
 caption { text-align: left; padding-bottom: 0.4rem; }
-th, td { padding: 0.25rem 0.7rem; text-align: left; vertical-align: top; }
+caption span {
+  display: block; position: sticky; left: 0; max-width: min(46rem, calc(100vw - 2.5rem));
+}
+th, td { padding: 0.25rem 0.6rem; text-align: left; vertical-align: top; }
 td:first-child { white-space: nowrap; }
 td { border-top: 1px solid var(--rule); }
 th { vertical-align: bottom; border-bottom: 2px solid var(--rule); }
