@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "guide_section.h"
+#include "png_bytes.h"
 
 namespace bench::guide {
 namespace {
@@ -103,7 +103,23 @@ void Report::add(uint32_t samples, const std::string& method, const std::vector<
     if (ratio) setSpread(row, name, *ratio);
   }
   print(row);
+  keepImage(samples, method, shots.front());
   rows_.push_back(std::move(row));
+}
+
+void Report::keepImage(uint32_t samples, const std::string& method, const Shot& shot) {
+  if (shot.image.values.empty()) return;
+  const command::RgbImage& reference = loaded_->reference.mean;
+  const float exposure = exposureOf(reference);
+  if (insets_.empty() || insets_.back().scene != loaded_->name) insets_.push_back({});
+  Inset& inset = insets_.back();
+  // Those of the last number of samples are shown.
+  if (inset.scene.empty() || inset.samples != samples) {
+    inset = {loaded_->name, samples, {{"reference", pngOf(reference, exposure)}}};
+  }
+  const std::string error = "relMSE " + shortNumber(shot.relMseTrimmed) + ", trimmed";
+  inset.images.push_back({method + ", " + error, pngOf(shot.image, exposure)});
+  inset.images.push_back({method + " against the reference", differencePng(shot.image, reference)});
 }
 
 void Report::write(bool complete) {
@@ -111,7 +127,7 @@ void Report::write(bool complete) {
   Row head = head_;
   head["complete"] = complete;
   writeRows(head, rows_, folder_, name_);
-  writeReport(folder_, sectionOf(name_, head_["baseline"].get<std::string>(), rows_));
+  writeReport(folder_, sectionOf(name_, head_["baseline"].get<std::string>(), rows_, insets_));
 }
 
 }  // namespace bench::guide

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "guide_section.h"
 #include "render_shots.h"
 
 namespace bench::guide {
@@ -28,9 +29,12 @@ class Report {
   const std::vector<Row>& rows() const { return rows_; }
 
  private:
+  void keepImage(uint32_t samples, const std::string& method, const Shot& shot);
+
   std::string folder_, name_;
   Row head_;
   std::vector<Row> rows_;
+  std::vector<Inset> insets_;  // one a scene
   const LoadedScene* loaded_ = nullptr;
 };
 

@@ -85,7 +85,7 @@ std::string verdict(const std::string& baseline, const std::string& method,
 }  // namespace
 
 ReportSection sectionOf(const std::string& name, const std::string& baseline,
-                        const std::vector<Row>& rows) {
+                        const std::vector<Row>& rows, const std::vector<Inset>& insets) {
   const bool ours = name == "guide";
   ReportSection section(name, ours ? "Guided against unguided rendering, by scene"
                                    : "A small path tracer guided by the library and its peers");
@@ -111,6 +111,12 @@ ReportSection sectionOf(const std::string& name, const std::string& baseline,
   gain.y = {"efficiency ratio", true};
   section.plot(gain, "Median over seeds and its 95 % interval.");
   section.table(tableOf(baseline, rows));
+  for (const Inset& inset : insets) {
+    section.images(inset.images,
+                   inset.scene + ", " + std::to_string(inset.samples) +
+                       " samples per pixel, seed 1. Differences: blue where an image is darker "
+                       "than the reference, red where it is brighter, full at half of it.");
+  }
   return section;
 }
 

@@ -152,7 +152,8 @@ bool shoot(const LoadedScene& loaded, Settings settings, uint32_t samples, uint6
           static_cast<double>(statistics.rays),
           static_cast<double>(statistics.patches),
           static_cast<double>(statistics.coefficients),
-          static_cast<double>(statistics.bytes)};
+          static_cast<double>(statistics.bytes),
+          std::move(image)};
   return true;
 }
 

@@ -51,6 +51,7 @@ struct Shot {
   double relMse, relMseTrimmed, l1;
   double cpuSeconds, rays;
   double patches, coefficients, bytes;  ///< NaN: not known
+  command::RgbImage image = {};         ///< empty: not kept
 };
 
 /// One image, from an empty field on. False: cancelled.
