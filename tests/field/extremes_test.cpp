@@ -114,9 +114,13 @@ TEST_P(Extremes, ExtremeMagnitudesWithoutTheirScale) {
 /// it were the first.
 TEST_P(Extremes, ValuesBelowTheUnitAreNotZeros) {
   const auto tiny = [](double u, double v) { return 1e-20 * steps(u, v); };
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;  // of the estimator that pools passes
+  desc.map = GetParam();
+  desc.basis = "haar";
+  desc.startLevel = desc.maxLevel = AWD_LEVEL(2);
   std::vector<double> c[2];
   for (const bool told : {true, false}) {
-    begin(2, 2, 0.0);
+    FedField::begin(desc);
     Random random(20);
     if (told) {
       must(awdSetFieldScale(field_, 1e-20));
