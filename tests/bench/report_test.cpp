@@ -15,9 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is empty, and gone afterwards.
+/// A folder of this test that is empty, and gone afterwards: tests run at the same time.
 struct Folder {
-  Folder() : path(fs::path(testing::TempDir()) / "awd-report-test") { fs::remove_all(path); }
+  Folder()
+      : path(fs::path(testing::TempDir()) /
+             (std::string("awd-report-") +
+              testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::remove_all(path);
+  }
   ~Folder() { fs::remove_all(path); }
   std::string page() const {
     std::ifstream file(path / "index.html", std::ios::binary);
