@@ -103,23 +103,35 @@ void Report::add(uint32_t samples, const std::string& method, const std::vector<
     if (ratio) setSpread(row, name, *ratio);
   }
   print(row);
-  keepImage(samples, method, shots.front());
+  if (base) keepImage(samples, method, shots.front());
   rows_.push_back(std::move(row));
 }
 
 void Report::keepImage(uint32_t samples, const std::string& method, const Shot& shot) {
   if (shot.image.values.empty()) return;
-  const command::RgbImage& reference = loaded_->reference.mean;
-  const float exposure = exposureOf(reference);
   if (insets_.empty() || insets_.back().scene != loaded_->name) insets_.push_back({});
   Inset& inset = insets_.back();
   // Those of the last number of samples are shown.
-  if (inset.scene.empty() || inset.samples != samples) {
-    inset = {loaded_->name, samples, {{"reference", pngOf(reference, exposure)}}};
-  }
-  const std::string error = "relMSE " + shortNumber(shot.relMseTrimmed) + ", trimmed";
-  inset.images.push_back({method + ", " + error, pngOf(shot.image, exposure)});
-  inset.images.push_back({method + " against the reference", differencePng(shot.image, reference)});
+  if (inset.scene.empty() || inset.samples != samples) inset = {loaded_->name, samples, {}};
+  for (ReportImage& image : imagesOf(samples, method, shot))
+    inset.images.push_back(std::move(image));
+}
+
+void Report::showBaseline(uint32_t samples, const std::string& method, const Shot& shot) {
+  const command::RgbImage& reference = loaded_->reference.mean;
+  std::vector<ReportImage> images = imagesOf(samples, method, shot);
+  images.insert(images.begin(), {"reference", pngOf(reference, exposureOf(reference))});
+  std::vector<ReportImage>& shown = insets_.back().images;
+  shown.insert(shown.begin(), images.begin(), images.end());
+}
+
+std::vector<ReportImage> Report::imagesOf(uint32_t samples, const std::string& method,
+                                          const Shot& shot) const {
+  const command::RgbImage& reference = loaded_->reference.mean;
+  return {{method + ", " + std::to_string(samples) + " samples in " + shortNumber(shot.cpuSeconds) +
+               " s, relMSE " + shortNumber(shot.relMseTrimmed) + ", trimmed",
+           pngOf(shot.image, exposureOf(reference))},
+          {method + " against the reference", differencePng(shot.image, reference)}};
 }
 
 void Report::write(bool complete) {

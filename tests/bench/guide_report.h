@@ -24,12 +24,17 @@ class Report {
   /// Prints a row and keeps it. `base`: what to compare with, NULL: this is the baseline itself.
   void add(uint32_t samples, const std::string& method, const std::vector<Shot>& shots,
            const std::vector<Shot>* base);
+  /// Shows what the baseline makes of the time of the methods compared, in front of the images of
+  /// those, of which there is one at least.
+  void showBaseline(uint32_t samples, const std::string& method, const Shot& shot);
   /// All rows so far; complete: there will be no more, for nothing was interrupted.
   void write(bool complete);
   const std::vector<Row>& rows() const { return rows_; }
 
  private:
   void keepImage(uint32_t samples, const std::string& method, const Shot& shot);
+  std::vector<ReportImage> imagesOf(uint32_t samples, const std::string& method,
+                                    const Shot& shot) const;
 
   std::string folder_, name_;
   Row head_;

@@ -113,9 +113,10 @@ ReportSection sectionOf(const std::string& name, const std::string& baseline,
   section.table(tableOf(baseline, rows));
   for (const Inset& inset : insets) {
     section.images(inset.images,
-                   inset.scene + ", " + std::to_string(inset.samples) +
-                       " samples per pixel, seed 1. Differences: blue where an image is darker "
-                       "than the reference, red where it is brighter, full at half of it.");
+                   inset.scene + ", seed 1: " + baseline +
+                       " with as many samples per pixel as take the CPU time of the method beside "
+                       "it. Differences: blue where an image is darker than the reference, red "
+                       "where it is brighter, full at half of it.");
   }
   return section;
 }

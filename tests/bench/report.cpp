@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -102,6 +103,10 @@ std::string shortNumber(double value) {
   if (!std::isfinite(value)) return "–";
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
+  const double rounded = std::strtod(text, nullptr);
+  if (std::abs(rounded) >= 1e3 && std::abs(rounded) <= 1e6) {
+    std::snprintf(text, sizeof text, "%.0f", rounded);
+  }
   return text;
 }
 

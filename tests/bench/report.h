@@ -14,7 +14,8 @@ namespace bench {
 /// HTML of the text's characters.
 std::string htmlEscape(const std::string& text);
 
-/// A figure of a table: three significant digits, or "–" if it isn't finite.
+/// A figure of a table: three significant digits, of which zeros follow up to a million; "–" if it
+/// isn't finite.
 std::string shortNumber(double value);
 
 struct ReportTable {

@@ -71,7 +71,9 @@ TEST(Report, ColumnsOfNumbersAreMarked) {
 }
 
 TEST(Report, NumbersAreShort) {
-  EXPECT_EQ(shortNumber(1234.5), "1.23e+03");
+  EXPECT_EQ(shortNumber(1234.5), "1230");
+  EXPECT_EQ(shortNumber(-999999.0), "-1000000");
+  EXPECT_EQ(shortNumber(1.23e7), "1.23e+07");
   EXPECT_EQ(shortNumber(0.12345), "0.123");
   EXPECT_EQ(shortNumber(std::nan("")), "–");
 }
