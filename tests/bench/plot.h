@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Line plots as small multiples, written as SVG and PNG by Cairo.
+// Line plots as small multiples; chart.h draws them.
 #pragma once
 
 #include <cstddef>
@@ -39,12 +39,5 @@ struct Plot {
   bool shared = true;
   std::vector<PlotPanel> panels;
 };
-
-/// Whether this program was built with Cairo.
-bool canPlot();
-
-/// FOLDER/name.svg and FOLDER/name.png, each whole or not at all. On logarithmic axes values that
-/// aren't positive are left out, as are those that aren't finite on any.
-void writePlot(const Plot& plot, const std::string& folder, const std::string& name);
 
 }  // namespace bench

@@ -67,14 +67,6 @@ Row headOf(const Options& options) {
           {"complete", !command::wasInterrupted()}};
 }
 
-/// As files, where there is Cairo, and in the section.
-refit::TakePlot takerOf(const Options& options, ReportSection& section) {
-  return [&](const Plot& plot, const std::string& name) {
-    if (canPlot()) writePlot(plot, options.folder, name);
-    section.plot(plot, canPlot() ? "Also in " + name + ".svg and " + name + ".png." : "");
-  };
-}
-
 ReportSection newSection() {
   ReportSection section("refit", "Coefficients by least squares, or by projection");
   section.paragraph(
@@ -102,7 +94,7 @@ void compareRenders(const Options& options, const std::vector<refit::Method>& me
       command::wasInterrupted);
   writeRows(headOf(options), rows, options.folder, "refit-render");
   refit::printScenes(rows, section);
-  refit::plotScenes(rows, takerOf(options, section));
+  refit::plotScenes(rows, section);
 }
 #else
 void compareRenders(const Options&, const std::vector<refit::Method>&, ReportSection&) {
@@ -113,7 +105,6 @@ void compareRenders(const Options&, const std::vector<refit::Method>&, ReportSec
 int run(const Options& options) {
   std::filesystem::create_directories(options.folder);
   command::checkWritable((std::filesystem::path(options.folder) / "refit.json").string());
-  if (!canPlot()) std::fprintf(stderr, "built without Cairo: no plots are written\n");
   command::catchInterrupt();
   const awdtest::Device device = awdtest::newDevice(1);
   const std::vector<refit::Method> methods = refit::availableMethods(device);
@@ -134,7 +125,7 @@ int run(const Options& options) {
     refit::printSummary(part, more, section);
     std::fflush(stdout);
   }
-  refit::plotDensities(rows, takerOf(options, section));
+  refit::plotDensities(rows, section);
   if (wanted(options, "render") && !command::wasInterrupted()) {
     compareRenders(options, methods, section);
   }
@@ -149,8 +140,7 @@ void addRefitCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
       "refit", "Coefficients by least squares against the projections: error, variance and time");
   command->add_flag("--quick", options->densities.quick, "A few cells of each kind");
-  command
-      ->add_option("--out", options->folder, "Folder for tables, plots and a section of index.html")
+  command->add_option("--out", options->folder, "Folder for tables and a section of index.html")
       ->required();
   command->add_option("--parts", options->parts, "Some of shrinkage,first,adaptive,time,render")
       ->delimiter(',')

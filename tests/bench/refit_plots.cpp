@@ -104,8 +104,7 @@ constexpr Figure kFigures[] = {
     {"l2", "L2 error of the density", "‖p − f/∫f‖ / ‖f/∫f‖", true},
     {"negative", "Coefficients below 0 before the floor", "share of all", false}};
 
-void plotMethods(const std::vector<Row>& rows, const std::string& part, const std::string& what,
-                 const TakePlot& take) {
+void plotMethods(const std::vector<Row>& rows, const std::string& what, ReportSection& section) {
   std::set<int> dimensions;
   for (const Row& row : rows) dimensions.insert(row["dimensions"].get<int>());
   for (const int d : dimensions) {
@@ -119,22 +118,22 @@ void plotMethods(const std::vector<Row>& rows, const std::string& part, const st
       plot.x = {"samples a coefficient, m/n", true};
       plot.y = {figure.label, figure.logarithmic};
       plot.panels = familyPanels(chosen, "samples_per_coefficient", figure.key, plot.columns);
-      take(plot, "refit-" + part + "-" + figure.key + "-" + std::to_string(d) + "d");
+      section.plot(plot, "");
     }
   }
 }
 
-void plotShrinkage(const std::vector<Row>& rows, const TakePlot& take) {
+void plotShrinkage(const std::vector<Row>& rows, ReportSection& section) {
   Plot plot = newPlot();
   plot.title = "Variance of the next pass by kappa";
   plot.subtitle = "One pass from the uniform density. Geometric mean over all else.";
   plot.x = {"shrinkage kappa, in samples", true};
   plot.y = {"∫ f²/p / (∫ f)² − 1", true};
   plot.panels = familyPanels(rows, "shrinkage", "variance", plot.columns);
-  take(plot, "refit-shrinkage");
+  section.plot(plot, "");
 }
 
-void plotTimes(const std::vector<Row>& rows, const TakePlot& take) {
+void plotTimes(const std::vector<Row>& rows, ReportSection& section) {
   const std::pair<const char*, const char*> figures[] = {
       {"adapt_ms", "CPU time of an adapt, ms"},
       {"record_ns", "CPU time of recording a sample, ns"}};
@@ -156,13 +155,13 @@ void plotTimes(const std::vector<Row>& rows, const TakePlot& take) {
       }
     }
     plot.columns = std::min<std::size_t>(4, plot.panels.size());
-    take(plot, std::string("refit-time-") + (key[0] == 'a' ? "adapt" : "record"));
+    section.plot(plot, "");
   }
 }
 
 }  // namespace
 
-void plotScenes(const std::vector<Row>& rows, const TakePlot& take) {
+void plotScenes(const std::vector<Row>& rows, ReportSection& section) {
   std::set<std::string> scenes, bases;
   for (const Row& row : rows) {
     scenes.insert(textOf(row, "scene"));
@@ -196,26 +195,26 @@ void plotScenes(const std::vector<Row>& rows, const TakePlot& take) {
       plot.panels.push_back(std::move(panel));
     }
     plot.columns = std::min<std::size_t>(4, plot.panels.size());
-    take(plot, "refit-render-" + basis);
+    section.plot(plot, "");
   }
 }
 
-void plotDensities(const std::vector<Row>& rows, const TakePlot& take) {
+void plotDensities(const std::vector<Row>& rows, ReportSection& section) {
   const auto part = [&](Part wanted) {
     return where(rows, [&](const Row& row) {
       return textOf(row, "part") == nameOf(wanted) &&
              (wanted == Part::kTime || textOf(row, "method") != "refit-ceres");
     });
   };
-  if (const auto chosen = part(Part::kShrinkage); !chosen.empty()) plotShrinkage(chosen, take);
+  if (const auto chosen = part(Part::kShrinkage); !chosen.empty()) plotShrinkage(chosen, section);
   // Ceres has fewer seeds, and else the coefficients of descent: time is what it is compared by.
   if (const auto chosen = part(Part::kFirst); !chosen.empty()) {
-    plotMethods(chosen, "first", "One pass from the uniform density at a fixed level.", take);
+    plotMethods(chosen, "One pass from the uniform density at a fixed level.", section);
   }
   if (const auto chosen = part(Part::kAdaptive); !chosen.empty()) {
-    plotMethods(chosen, "adaptive", "After four passes that choose their levels.", take);
+    plotMethods(chosen, "After four passes that choose their levels.", section);
   }
-  if (const auto chosen = part(Part::kTime); !chosen.empty()) plotTimes(chosen, take);
+  if (const auto chosen = part(Part::kTime); !chosen.empty()) plotTimes(chosen, section);
 }
 
 }  // namespace bench::refit

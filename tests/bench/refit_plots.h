@@ -2,22 +2,17 @@
 // The figures of `awd-bench refit`.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "plot.h"
+#include "report.h"
 #include "row.h"
 
 namespace bench::refit {
 
-/// What is done with a plot; name: "refit-...".
-using TakePlot = std::function<void(const Plot& plot, const std::string& name)>;
-
 /// Of each part that there are rows of.
-void plotDensities(const std::vector<Row>& rows, const TakePlot& take);
+void plotDensities(const std::vector<Row>& rows, ReportSection& section);
 
 /// Error against CPU time for each scene.
-void plotScenes(const std::vector<Row>& rows, const TakePlot& take);
+void plotScenes(const std::vector<Row>& rows, ReportSection& section);
 
 }  // namespace bench::refit

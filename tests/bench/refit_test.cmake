@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs `awd-bench refit --quick` and looks at what it wrote: every row that there should be, all
-# numbers finite, plots where they are drawn.
-#   BENCH: the program; OUT: a folder; METHODS: what rows there must be; RENDER, PLOTS: if so
+# numbers finite, charts in the page.
+#   BENCH: the program; OUT: a folder; METHODS: what rows there must be; RENDER: if so
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${OUT})
@@ -73,15 +73,13 @@ if(RENDER)
     need(render/${method})
   endforeach()
 endif()
-if(PLOTS)
-  foreach(plot shrinkage first-variance-2d adaptive-l2-2d first-negative-2d time-adapt)
-    foreach(format svg png)
-      if(NOT EXISTS ${OUT}/refit-${plot}.${format})
-        message(FATAL_ERROR "no ${OUT}/refit-${plot}.${format}")
-      endif()
-    endforeach()
-  endforeach()
-endif()
+file(READ ${OUT}/index.html page)
+foreach(title "Variance of the next pass by kappa" "Relative variance of the next pass, 2 dimensions"
+    "Coefficients below 0 before the floor, 2 dimensions" "CPU time of an adapt, ms")
+  if(NOT page MATCHES "<svg[^>]*>[^<]*<title[^>]*>${title}")
+    message(FATAL_ERROR "no chart \"${title}\" in ${OUT}/index.html")
+  endif()
+endforeach()
 
 execute_process(COMMAND ${BENCH} refit --quick --out ${OUT}/refit.json ERROR_VARIABLE message
   OUTPUT_QUIET RESULT_VARIABLE code)
