@@ -11,6 +11,8 @@
  *  - Descriptions start with structSize, which their ..._INIT macro sets. They only ever grow at
  *    the end. Zero means "the default" in every field. A caller newer than the library gets an
  *    error if it uses a field that the library does not know.
+ *  - Every libawd of one soname has every function. One that was built without the renderer
+ *    (AWD_RENDER=OFF) fails those of scene.h, render.h and image.h with AWD_ERROR_UNSUPPORTED.
  *  - Threading: *free* functions may be called at any time from any thread. *Exclusive* ones want
  *    that no other call uses the same object meanwhile. Retain and Release are always free.
  *  - Lengths are in the host's scene units, angles in radians, radiance in linear RGB.
