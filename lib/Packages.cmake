@@ -44,7 +44,7 @@ awd_package(refit libawd-refit libs "the module that fits densities by least squ
   DEPENDS "${library}")
 awd_package(tools awd-tools graphics "the command awd, which renders and compares"
   DEPENDS "${library}, libawd-bases" SUGGESTS libawd-refit)
-awd_package(python python3-awd python "the Python package awd"
+awd_package(python python3-awd python "the Python package awd" ARCHITECTURE all
   DEPENDS "${library}, libawd-bases, python3:any, python3-numpy"
   SUGGESTS "libawd-refit, python3-matplotlib")
 include(CPack)

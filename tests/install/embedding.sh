@@ -28,8 +28,8 @@ cd "$work/bare"
 library=libraries/libawd.so
 
 # No header of others was read, among all that were.
-ninja -t deps | sed -n 's/^ *\(\/.*\)/\1/p' >read
-grep -q '/include/awd/density\.h$' read && grep -q '/c++/.*/vector$' read || die "nothing was read"
+ninja -t deps | sed -n 's/^ *\//\//p' | sed "s|^$tree||" >read
+grep -q '^/libawd/include/awd/density\.h$' read && grep -q '/c++/.*/vector$' read || die "nothing was read"
 ! grep -iE '/(embree|openexr|imath|imf|iex|tbb|oneapi|ceres|eigen|glog|png)[^/]*(/|\.h$)' read |
   sort -u | grep . || die "headers of others were read"
 others=$(needed "$library" |

@@ -111,11 +111,11 @@ small=$work/small
 into "$small" runtime development
 for component in bases refit; do
   refused "component $component: there is no .*$small/.*; Debian has it in libawd-$component" \
-    configure small "$work/consumer" "$small" -DAWD_COMPONENTS="$component"
+    configure lacking "$work/consumer" "$small" -DAWD_COMPONENTS="$component"
 done
 refused "component glossy: there is none of that name, but render, bases and refit" \
-  configure small "$work/consumer" "$small" -DAWD_COMPONENTS=glossy
-refused 'version "99"' configure small "$work/consumer" "$small" -DAWD_WANTED=99
+  configure lacking "$work/consumer" "$small" -DAWD_COMPONENTS=glossy
+refused 'version "99"' configure newer "$work/consumer" "$small" -DAWD_WANTED=99
 # A host with a basis of its own, linked in, needs no other.
 project small "$work/consumer" "$small" -DAWD_OPTIONAL="bases;refit"
 grep -q 'bases: FALSE, refit: FALSE' "$work/small/found" || die "found: $(<"$work/small/found")"

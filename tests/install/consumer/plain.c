@@ -62,6 +62,7 @@ static void useRenderer(AWDDevice device, int there) {
 }
 
 int main(int count, char** arguments) {
+  const AWDBasisHost host = {sizeof host, AWD_BASIS_ABI, AWD_VERSION};
   AWDDevice device = NULL;
   size_t families = 99;
   if (count != 3) return 2;
@@ -69,7 +70,7 @@ int main(int count, char** arguments) {
   CHECK(awdNewDevice(NULL, &device) == AWD_SUCCESS);
   if (strcmp(arguments[1], "own") == 0) {
     CHECK(awdGetBasisCount(device, &families) == AWD_SUCCESS && families == 0);
-    CHECK(awdRegisterBasisModule(device, AWD_BASIS_ENTRY(NULL)) == AWD_SUCCESS);
+    CHECK(awdRegisterBasisModule(device, AWD_BASIS_ENTRY(&host)) == AWD_SUCCESS);
     learn(device, "cubic-bspline");
   } else {
     learn(device, "linear-bspline");
