@@ -51,10 +51,10 @@ depends "libawd$abi" libc6 'libstdc\+\+6' libgcc-s1
 [[ $wanted != *refit* ]] || depends libawd-refit "libawd$abi" 'libgoogle-glog.*' libc6
 [[ $renderer == none ]] || depends awd-tools "libawd$abi" libawd-bases 'libassimp.*' libc6
 # Whoever links libawd gets its package by dpkg-shlibdeps, and the loader gets to know it.
-dpkg-deb -I "libawd$abi"_*.deb shlibs >shlibs
-grep -qx "libawd $abi libawd$abi (>= $version)" shlibs || die "no shlibs"
-dpkg-deb -I "libawd$abi"_*.deb postinst >postinst
-grep -q ldconfig postinst || die "no ldconfig"
+dpkg-deb -I "libawd$abi"_*.deb shlibs >control
+grep -qx "libawd $abi libawd$abi (>= $version)" control || die "no shlibs"
+dpkg-deb -I "libawd$abi"_*.deb postinst >control
+grep -q ldconfig control || die "no ldconfig"
 
 # The host sees what was in the packages alone.
 prefix=$work/root/usr

@@ -28,10 +28,12 @@ cd "$work/bare"
 library=libraries/libawd.so
 
 # No header of others was read, among all that were.
-ninja -t deps | sed -n 's/^ *\//\//p' | sed "s|^$tree||" >read
-grep -q '^/libawd/include/awd/density\.h$' read && grep -q '/c++/.*/vector$' read || die "nothing was read"
-! grep -iE '/(embree|openexr|imath|imf|iex|tbb|oneapi|ceres|eigen|glog|png)[^/]*(/|\.h$)' read |
-  sort -u | grep . || die "headers of others were read"
+ninja -t deps | sed -n 's/^    //p' | sed 's|^.*/tree/libawd/|libawd/|' | sort -u >headers
+for header in '^libawd/include/awd/density\.h' '/c++/.*/vector'; do
+  grep -q "$header\$" headers || die "$header was not read: $(wc -l <headers) headers were"
+done
+! grep -iE '/(embree|openexr|imath|imf|iex|tbb|oneapi|ceres|eigen|glog|png)[^/]*(/|\.h$)' headers ||
+  die "headers of others were read"
 others=$(needed "$library" |
   grep -vE '^(libc|libm|libgcc_s|libstdc\+\+|ld-linux.*)\.so\.[0-9]+$') || true
 [[ -z $others ]] || die "libawd needs $others"

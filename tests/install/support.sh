@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2034 # what is set here is used there
 # What the scripts of this folder share. Each is called with
 #   <work folder> <cmake> <cc> <c++> <readelf> <nm> <build folder> <source folder> <lib folder>
 #     <version> <abi> [more]
