@@ -38,14 +38,23 @@ others=$(needed "$library" |
   grep -vE '^(libc|libm|libgcc_s|libstdc\+\+|ld-linux.*)\.so\.[0-9]+$') || true
 [[ -z $others ]] || die "libawd needs $others"
 # It has every function all the same.
+include=$source/include/awd
 "$source/tests/abi/exports.sh" "$nm" "$readelf" "$library" "libawd.so.$abi" "AWD_$abi" \
-  libraries/awd/bases-1/haar.so "$source"/include/awd/{density,device,field,image,light,render,scene}.h
+  libraries/awd/bases-1/haar.so "$include"/{density,device,field,image,light,render,scene}.h
 
-# Our warnings are not the project's, and it installs nothing of ours.
+# Our warnings are not the project's, and it installs nothing of ours unless it wants to.
 ! grep -E '"command".*/plain\.c' compile_commands.json | grep -e -Wshadow -e -Wconversion ||
   die "our warnings in the project's programs"
 quietly "$cmake" --install . --prefix "$work/installed"
 [[ ! -e $work/installed ]] || die "installed: $(files "$work/installed")"
+quietly "$cmake" . -DAWD_INSTALL=ON
+quietly "$cmake" --install . --prefix "$work/installed"
+cp -r "$source/tests/install/consumer" "$work"
+refused "component render: this libawd was built with AWD_RENDER=OFF" \
+  configure lacking "$work/consumer" "$work/installed" -DAWD_COMPONENTS="bases;render"
+cp "$tree/cubic.c" "$work/consumer"
+project host "$work/consumer" "$work/installed" -DAWD_COMPONENTS=bases
+silent "$work/host/plain" shipped none
 
 rm -r "$tree"
 silent programs/plain shipped none

@@ -41,7 +41,7 @@ diff <({
 diff <(cd "$build/lib/awd/bases-1" && printf "$lib/awd/bases-1/%s\n" *) "$work/bases.list" ||
   die "not the bases"
 # Versions beside each other share no file that one of them loads.
-! cat "$work"/{runtime,bases,refit}.list 2>/dev/null | grep -vE \
+! find "$work" -maxdepth 1 -regex '.*/\(runtime\|bases\|refit\)\.list' -exec cat {} + | grep -vE \
   "^$lib/(libawd\.so\.[0-9]+|awd/bases-[0-9]+/[a-z-]+\.so$|awd/refit-[0-9]+\.so$)" ||
   die "a name without a number"
 

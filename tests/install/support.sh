@@ -30,7 +30,7 @@ refused() {
   ! "${@:2}" >"$work/log" 2>&1 || die "succeeded: ${*:2}"
   tr -s ' \n' ' ' <"$work/log" | grep -E "$1" >"$work/word" || die "no word of $1: ${*:2}"
 }
-# project NAME SOURCE PREFIX OPTION...: configures and builds, knowing that prefix alone.
+# configure, or project which builds too: NAME SOURCE PREFIX OPTION..., knowing that prefix alone.
 configure() {
   "$cmake" -G Ninja -S "$2" -B "$work/$1" -DCMAKE_PREFIX_PATH="$3" \
     -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" \
