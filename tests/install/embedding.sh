@@ -38,9 +38,8 @@ others=$(needed "$library" |
   grep -vE '^(libc|libm|libgcc_s|libstdc\+\+|ld-linux.*)\.so\.[0-9]+$') || true
 [[ -z $others ]] || die "libawd needs $others"
 # It has every function all the same.
-include=$source/include/awd
 "$source/tests/abi/exports.sh" "$nm" "$readelf" "$library" "libawd.so.$abi" "AWD_$abi" \
-  libraries/awd/bases-1/haar.so "$include"/{density,device,field,image,light,render,scene}.h
+  libraries/awd/bases-1/haar.so "$source"/include/awd/*.h
 
 # Our warnings are not the project's, and it installs nothing of ours unless it wants to.
 ! grep -E '"command".*/plain\.c' compile_commands.json | grep -e -Wshadow -e -Wconversion ||
