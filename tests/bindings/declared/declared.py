@@ -12,7 +12,7 @@ import pathlib
 import subprocess
 import sys
 
-from compare import differences
+from compare import NEEDED, differences
 from truth import ask_compiler
 
 
@@ -23,7 +23,7 @@ def main() -> int:
     found = differences(truth, json.loads(output))
     for line in found:
         print(line)
-    counts = ", ".join(f"{len(truth[name])} {name}" for name in ("functions", "constants", "structs"))
+    counts = ", ".join(f"{len(truth[name])} {name}" for name in NEEDED)
     print(f"{len(found)} differences; the headers have {counts}")
     return 1 if found else 0
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Renders a room that is lit through a gap under its ceiling, and shows what one patch has learned.
+//! Renders a room whose lamp shines at the ceiling, and shows what one patch has learned.
 //!
 //!     render [WIDTH [SAMPLES [FOLDER]]]
 
@@ -19,7 +19,7 @@ fn add_quad(builder: &mut SceneBuilder, corners: [Vector; 4], material: u32) -> 
     builder.add_mesh(&Mesh { vertices, indices, material, ..Default::default() })
 }
 
-/// A box open to the viewer, from -1 to 1, and a lamp above a shade that light must get around.
+/// A box open to the viewer, from -1 to 1, and a lamp that faces up, with a shade below it.
 fn room(device: &Device) -> Result<Scene> {
     let mut builder = SceneBuilder::new(device)?;
     let mut diffuse = |albedo, emission| builder.add_material(&Material { albedo, emission });

@@ -32,7 +32,7 @@ enumeration! {
         Default = AWD_SAMPLER_DEFAULT,
         /// Marginal, then conditionals: one uniform an axis, monotone, so that strata are kept.
         InverseCdf = AWD_SAMPLER_INVERSE_CDF,
-        /// A component from the first uniform, the point from it by one uniform an axis; grids only.
+        /// A component from the first uniform, the point from it by one an axis; grids only.
         Component = AWD_SAMPLER_COMPONENT,
     }
 }

@@ -2,7 +2,9 @@
 //! Enums of C, which are numbers there: a newer library may know more of them than this crate.
 
 macro_rules! enumeration {
-    ($( #[$meta:meta] )* $name:ident { $( $( #[$each:meta] )* $variant:ident = $value:ident, )* }) => {
+    ($( #[$meta:meta] )* $name:ident {
+        $( $( #[$each:meta] )* $variant:ident = $value:ident, )*
+    }) => {
         $( #[$meta] )*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
