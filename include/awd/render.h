@@ -199,8 +199,10 @@ typedef struct AWDSchedule {
      image, depends on the machine; of so many the bits are what they always are. */
   double seconds;
   /* 0: no limit. Passes of the library's sizes, 16 samples at least, until the upper end of
-     awdGetRenderError() is not above this. Also within totalSamples and seconds, if they are set;
-     not with samplesPerPass. */
+     awdGetRenderError() is not above this, which the true error then is not either 95 times of 100.
+     That error itself, the luckiest of several, may be too low: where few pixels matter the true
+     one was above its upper end up to 14 times of 100. Also within totalSamples and seconds, if
+     they are set; not with samplesPerPass. */
   double error;
 } AWDSchedule;
 
@@ -263,8 +265,8 @@ AWD_EXPORT AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, 
 /* How far the film is from the truth, relative to its brightness:
      error = sqrt(mean (x - truth)^2) / mean x, over all pixels and channels,
    as the samples of even and of odd number, which are independent, tell it: honest with
-   AWD_POINTS_SOBOL too. The true one lies between lower and upper 95 times of 100; what no sample
-   has met yet, nobody can know of. */
+   AWD_POINTS_SOBOL too. The true one lies between lower and upper 95 times of 100 after a number of
+   samples that was fixed before; what no sample has met yet, nobody can know of. */
 typedef struct AWDRenderError {
   size_t structSize;
   double error;
