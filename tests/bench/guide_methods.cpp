@@ -28,6 +28,8 @@ const std::vector<Method>& methods() {
       {"haar", "adaptive with this basis", [](Settings& with) { with.field.basis = "haar"; }},
       {"quadratic-bspline", "adaptive with this basis",
        [](Settings& with) { with.field.basis = "quadratic-bspline"; }},
+      {"cubic-bspline", "adaptive with this basis, of examples/cubic-bspline",
+       [](Settings& with) { with.field.basis = "cubic-bspline"; }},
       {"f2", "adaptive with this basis", [](Settings& with) { with.field.basis = "f2"; }},
       {"m2", "adaptive with this basis", [](Settings& with) { with.field.basis = "m2"; }},
       {"m3", "adaptive with this basis", [](Settings& with) { with.field.basis = "m3"; }},

@@ -27,7 +27,8 @@ const std::vector<uint32_t> kPasses = {10, 10, 10, 70};
 
 std::vector<Variation> variations() {
   std::vector<Variation> all = {{"", "haar, 3 x 10 + 70", paperSettings("haar"), kPasses}};
-  for (const char* basis : {"linear-bspline", "quadratic-bspline", "f2", "m2", "m3"}) {
+  for (const char* basis :
+       {"linear-bspline", "quadratic-bspline", "cubic-bspline", "f2", "m2", "m3"}) {
     all.push_back({"function basis", basis, paperSettings(basis), kPasses});
   }
   for (const uint32_t level : {2u, 3u, 4u, 5u}) {

@@ -63,6 +63,7 @@ command::Device newRenderDevice(uint32_t threads, Cancelled cancelled) {
   desc.progressUser = reinterpret_cast<void*>(cancelled);
   command::Device device;
   must(awdNewDevice(&desc, device.out()));
+  must(awdLoadBasisModule(device.get(), AWD_BENCH_CUBIC));
   return device;
 }
 

@@ -16,6 +16,7 @@ namespace bench {
 /// Whether to give up what is being rendered.
 using Cancelled = bool (*)();
 
+/// Knows the cubic B-splines of examples/cubic-bspline, too, which are not shipped.
 command::Device newRenderDevice(uint32_t threads, Cancelled cancelled);
 
 /// Our scenes, and those in the folders of `moreScenes` unless that is "": scene files by the

@@ -83,6 +83,44 @@ Outcome manyLights() {
                        static_cast<unsigned long long>(info.lights), worst);
 }
 
+/// One patch for all walls with a density of 4096 x 4096 cells, and one of fewer bytes by its
+/// basis.
+Outcome finestLevel() {
+  Findings found;
+  SceneBuilder builder = furnace(0.5, 1.0);
+  const std::vector<uint32_t> patches(builder.mesh().indices.count, 0);
+  AWDMeshDesc mesh = builder.mesh();
+  mesh.patches = bufferOf(patches, AWD_FORMAT_UINT, 1);
+  Scene scene;
+  must(awdNewScene(sceneDevice(), scene.out()));
+  const AWDMaterialDesc material = {sizeof material, {0.5f, 0.5f, 0.5f}, {1.0f, 1.0f, 1.0f}};
+  must(awdAddMaterial(scene, &material, nullptr));
+  must(awdAddMesh(scene, &mesh, nullptr));
+  must(awdCommitScene(scene));
+  const AWDCamera view = furnaceCamera(64, 64);
+  double worst = 0.0, most = 0.0;
+  for (const char* basis : {"haar", "linear-bspline"}) {
+    AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+    desc.patches = AWD_PATCHES_HOST;
+    desc.basis = basis;
+    desc.startLevel = desc.maxLevel = AWD_LEVEL(12);
+    Field field;
+    must(awdNewSceneField(scene, &desc, field.out()));
+    const RenderedFilm rendered =
+        renderedFilm(scene, renderDesc(view, AWD_GUIDE_ADAPTIVE, 4), {8, 24}, field);
+    expectUsable(found, rendered, basis);
+    worst = std::max(worst, expectMean(found, pixelMean(rendered.film), 2.0, 1e-2, basis));
+    most = std::max(most, static_cast<double>(rendered.statistics.bytes) * 1e-6);
+    found.expect(rendered.statistics.coefficients >= uint64_t{1} << 24, "%s: %llu coefficients",
+                 basis, static_cast<unsigned long long>(rendered.statistics.coefficients));
+    desc.startLevel = desc.maxLevel = AWD_LEVEL(13);
+    const AWDResult result = awdNewSceneField(scene, &desc, field.out());
+    found.expect(result == AWD_ERROR_INVALID_ARGUMENT, "%s, level 13: %s", basis,
+                 awdGetResultString(result));
+  }
+  return found.outcome("mean right to %.2g, %.3g MB at most", worst, most);
+}
+
 /// A patch a triangle, as many as a million, of which paths meet many.
 Outcome manyPatches() {
   constexpr uint32_t kPanels = 289;
@@ -129,6 +167,7 @@ std::vector<Extreme> countExtremes() {
       {"images of 65536 x 1 and 1 x 65536", "e / (1 - albedo); 0 and 65537 refused", lineOfPixels},
       {"10^5 lights", "each is found; e / (1 - albedo)", manyLights},
       {"10^6 patches", "a quarter learns at least; e / (1 - albedo)", manyPatches, true},
+      {"a patch of level 12", "e / (1 - albedo); level 13 refused", finestLevel, true},
   };
 }
 
