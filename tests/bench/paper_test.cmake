@@ -51,6 +51,19 @@ foreach(i RANGE ${last})
       endif()
     endforeach()
   endif()
+  if(part STREQUAL questions)
+    string(JSON question GET ${row} question)
+    list(APPEND asked ${question})
+    string(JSON method ERROR_VARIABLE none GET ${row} method)
+    list(APPEND asked ${method})
+  endif()
+endforeach()
+
+foreach(answer linear-bspline quadratic-bspline cubic-bspline f2 m2 m3 "not refined"
+    "samples a pass" "details dropped" triangles)
+  if(NOT answer IN_LIST asked)
+    message(FATAL_ERROR "paper.json answers nothing about ${answer}")
+  endif()
 endforeach()
 
 # Not that it grows in every pass: each halves the cells, and has fewer samples in each.

@@ -64,6 +64,17 @@ bool hasNumbers(const ReportTable& table, std::size_t column) {
   });
 }
 
+/// When the figures were complete, and who else was at work.
+std::string whenText() {
+  std::string text = "Measured until " + dateNow();
+  double load[3] = {};
+  if (getloadavg(load, 3) == 3) {
+    text += ", while " + shortNumber(load[2]) +
+            " threads wanted to run on the machine (mean of 15 minutes, these figures' included)";
+  }
+  return text + ".";
+}
+
 std::string pageOf(const std::filesystem::path& sections) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(sections)) {
@@ -164,7 +175,7 @@ void writeReport(const std::string& folder, const ReportSection& section) {
   std::filesystem::create_directories(sections);
   command::writeFile((sections / (section.name() + ".html")).string(),
                      "<section id=\"" + htmlEscape(section.name()) + "\">\n" + section.html() +
-                         "<p class=\"when\">Measured until " + dateNow() + ".</p>\n</section>\n");
+                         "<p class=\"when\">" + whenText() + "</p>\n</section>\n");
   command::writeFile((std::filesystem::path(folder) / "index.html").string(), pageOf(sections));
 }
 

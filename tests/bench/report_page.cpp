@@ -44,6 +44,8 @@ reflection alone, and guided rendering by the library.</dd>
 <dt>patch</dt><dd>A part of a surface that has a density of its own.</dd>
 <dt>patch mean</dt><dd>The mean light that arrives at a patch, in which the paper measured its
 errors: how far a rendering's is from the true one.</dd>
+<dt>seeds</dt><dd>Repetitions with other random numbers. They are numbered from 1 on, so that a
+command gives the same errors again; references have seeds of their own.</dd>
 <dt>[a, b]</dt><dd>An interval over repetitions with other random numbers.</dd>
 </dl></details>
 )";

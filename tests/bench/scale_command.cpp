@@ -113,9 +113,15 @@ class Series {
   bool add(const scale::Point& point) {
     auto rows = scale::measure(point, options_.repetitions, command::wasInterrupted);
     if (!rows) return false;
-    for (Row& row : *rows) {
+    for (std::size_t m = 0; m < rows->size(); ++m) {
+      Row& row = (*rows)[m];
       // Known only when they have learned: of the guided method, whose row is the last.
       if (point.part == "patches") row["x"] = rows->back()["patches"];
+      if (point.part == "threads") {
+        // Of the same method on the first number of threads, which is 1.
+        if (point.threads == sizes_.threads.front()) oneThread_.push_back(row["wall_seconds"]);
+        row["wall_speed_up"] = oneThread_[m] / row["wall_seconds"].get<double>();
+      }
       print(row);
       rows_.push_back(row);
     }
@@ -126,6 +132,7 @@ class Series {
   Options options_;
   Sizes sizes_;
   std::vector<Row> rows_;
+  std::vector<double> oneThread_;  ///< wall time by method
 };
 
 int run(const Options& options) {

@@ -70,6 +70,8 @@ ReportTable tableOf(const std::vector<Row>& rows, const Part& part) {
       {part.label, "method", "ns a ray", "ns a path", "rays a path", "ray, of cosine",
        "path, of cosine", "patches", "field and film, MB", "scene, MB", "wall s"},
       {}};
+  const bool threads = part.name == std::string("threads");
+  if (threads) table.columns.emplace_back("speed-up in wall time");
   for (const Row& row : rows) {
     if (row["part"] != part.name) continue;
     table.rows.push_back(
@@ -78,6 +80,7 @@ ReportTable tableOf(const std::vector<Row>& rows, const Part& part) {
          spreadText(row, "ray_cost_ratio"), spreadText(row, "path_cost_ratio"),
          shortNumber(number(row, "patches")), shortNumber(1e-6 * number(row, "bytes")),
          shortNumber(1e-6 * number(row, "scene_bytes")), shortNumber(number(row, "wall_seconds"))});
+    if (threads) table.rows.back().push_back(shortNumber(number(row, "wall_speed_up")));
   }
   return table;
 }
@@ -96,8 +99,8 @@ const std::vector<Part>& parts() {
       {"samples", "samples a pixel",
        "Two rooms: what learning costs is spread over more paths, while patches grow in number."},
       {"threads", "threads",
-       "Two rooms: CPU time of all threads together. The table has the wall time. More threads "
-       "than the machine has cores only take turns."},
+       "Two rooms: CPU time of all threads together. The table has the wall time, which other "
+       "programs lengthen; more threads than the machine has cores only take turns."},
   };
   return all;
 }

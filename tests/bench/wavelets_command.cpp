@@ -14,6 +14,7 @@
 #include "report.h"
 #include "row.h"
 #include "support/handles.h"
+#include "wavelets.h"
 
 namespace bench {
 namespace {
@@ -95,26 +96,6 @@ void print(const Row& row) {
               row["variance"].get<double>(), row["variance_after"].get<double>());
 }
 
-std::vector<Row> measure(AWDDevice device, std::size_t samples) {
-  std::vector<Row> rows;
-  for (const char* basis : {"haar", "f2", "m2", "m3"}) {
-    for (const Function& f : kFunctions) {
-      AWDDensityReport all = AWD_DENSITY_REPORT_INIT, kept = AWD_DENSITY_REPORT_INIT;
-      const Density full = learn(device, basis, f, samples, true, all);
-      const Density coarse = learn(device, basis, f, samples, false, kept);
-      rows.push_back({{"basis", basis},
-                      {"function", f.name},
-                      {"coefficients", all.coefficients},
-                      {"dropped", kept.coarsened},
-                      {"split", kept.split},
-                      {"variance", relativeVariance(full, f)},
-                      {"variance_after", relativeVariance(coarse, f)}});
-      print(rows.back());
-    }
-  }
-  return rows;
-}
-
 ReportSection sectionOf(const std::vector<Row>& rows, std::size_t samples) {
   ReportSection section("wavelets", "Coefficients that need not be kept");
   section.paragraph(
@@ -148,7 +129,8 @@ int run(const Options& options) {
               1u << kLevel, 1u << kLevel);
   std::printf("%-6s %-10s %8s %8s %8s %10s %10s\n", "basis", "function", "all", "dropped", "split",
               "variance", "after");
-  const std::vector<Row> rows = measure(device, samples);
+  const std::vector<Row> rows = measureWavelets(device, samples);
+  for (const Row& row : rows) print(row);
   if (options.folder.empty()) return 0;
   std::filesystem::create_directories(options.folder);
   writeRows({{"command", commandLine()}, {"samples", samples}, {"seed", 1}}, rows, options.folder,
@@ -158,6 +140,26 @@ int run(const Options& options) {
 }
 
 }  // namespace
+
+std::vector<Row> measureWavelets(AWDDevice device, std::size_t samples) {
+  std::vector<Row> rows;
+  for (const char* basis : {"haar", "f2", "m2", "m3"}) {
+    for (const Function& f : kFunctions) {
+      AWDDensityReport all = AWD_DENSITY_REPORT_INIT, kept = AWD_DENSITY_REPORT_INIT;
+      const Density full = learn(device, basis, f, samples, true, all);
+      const Density coarse = learn(device, basis, f, samples, false, kept);
+      rows.push_back({{"basis", basis},
+                      {"function", f.name},
+                      {"coefficients", all.coefficients},
+                      {"coefficients_after", kept.coefficients},
+                      {"dropped", kept.coarsened},
+                      {"split", kept.split},
+                      {"variance", relativeVariance(full, f)},
+                      {"variance_after", relativeVariance(coarse, f)}});
+    }
+  }
+  return rows;
+}
 
 void addWaveletsCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
