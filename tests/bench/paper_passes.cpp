@@ -70,7 +70,7 @@ void measurePasses(Study& study) {
   study.rows.push_back(
       {{"part", "passes"}, {"scene", loaded.name}, {"pass", 0}, {"share_on_reflector", start}});
   ReportTable table = {
-      "Three passes of 10 samples on `verification`, linear B-splines: the error of each pass's "
+      "Three passes of 10 samples on verification, linear B-splines: the error of each pass's "
       "own image, and the share of the ground patch's density after it that falls on the "
       "reflector, seen from the middle. Light comes from the lit part of the reflector alone.",
       {"after pass", "L1 of its image", "share on the reflector"},

@@ -72,8 +72,8 @@ void measureVariations(Study& study, const std::string& scene) {
     }
   }
   ReportTable table = {
-      "100 samples a pixel on `" + scene +
-          "`, medians over seeds; error and CPU time to equal "
+      "100 samples a pixel on " + scene +
+          ", medians over seeds; error and CPU time to equal "
           "error (L1 squared x CPU s) relative to the first line, of the same seed",
       {"question", "what", "L1", "CPU s", "error", "time to equal error"},
       {}};
@@ -104,7 +104,7 @@ void measureTriangles(Study& study) {
   const bool quick = study.options.quick;
   const LoadedScene whole = loadReferenced(study, "cornell-box");
   ReportTable table = {
-      "CPU time that cosine needs for the error of the other, `cornell-box` with triangles cut "
+      "CPU time that cosine needs for the error of the other, cornell-box with triangles cut "
       "into n x n equal ones; above 1 guiding pays. Planar pieces, and with them the paper's "
       "patches, stay what they are.",
       {"triangles", "haar, preset paper", "our defaults", "cosine, CPU s", "haar, CPU s"},
@@ -155,8 +155,9 @@ void measureDetails(Study& study) {
       "Details kept or dropped: trees of 32 x 32 boxes that have learned a ramp, a bump, a disc "
       "and a ridge from " +
           std::to_string(samples) +
-          " samples each. Without details below their standard error, of what there is with all of "
-          "them: geometric means over the functions, and the worst.",
+          " samples each. Without details below their standard error, boxes halved where that "
+          "promises most, of what there is with all details and no more: geometric means over the "
+          "functions, and the worst.",
       {"basis", "coefficients", "variance", "worst variance"},
       {}};
   std::vector<Row> rows = measureWavelets(study.device.get(), samples);

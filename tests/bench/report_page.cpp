@@ -37,13 +37,16 @@ and halve the squared error.</dd>
 <dt>relMSE</dt><dd>Relative mean squared error: the squared difference from a reference, over the
 square of the reference, averaged over pixels. Smaller is better. <em>Trimmed</em>: without the
 worst 0.1 % of the pixels, which a few stray bright dots can rule.</dd>
+<dt>L1</dt><dd>The mean absolute difference from the reference, over all pixels and colours, which
+a few bright dots move less.</dd>
 <dt>efficiency</dt><dd>1 / (relMSE × CPU time). Relative to a baseline, 2 means the same quality in
 half the time; below 1 guiding costs more than it gains. Training is counted.</dd>
 <dt>cosine, adaptive</dt><dd>Unguided rendering, which follows the cosine or the surface's
 reflection alone, and guided rendering by the library.</dd>
 <dt>patch</dt><dd>A part of a surface that has a density of its own.</dd>
-<dt>patch mean</dt><dd>The mean light that arrives at a patch, in which the paper measured its
-errors: how far a rendering's is from the true one.</dd>
+<dt>basis</dt><dd>The functions that a density is a sum of: boxes (haar), piecewise polynomials of
+degree 1 to 3 (linear, quadratic and cubic B-splines), or tree wavelets, which jump at the borders of
+cells (f2, m2, m3). Level l has 2<sup>l</sup> cells along each axis.</dd>
 <dt>seeds</dt><dd>Repetitions with other random numbers. They are numbered from 1 on, so that a
 command gives the same errors again; references have seeds of their own.</dd>
 <dt>[a, b]</dt><dd>An interval over repetitions with other random numbers.</dd>

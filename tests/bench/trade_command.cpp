@@ -40,10 +40,11 @@ void makeQuick(Options& options) {
 }
 
 std::string commandLine(const Options& options) {
-  if (options.quick) return "awd-bench trade --quick";
+  if (options.quick) return "awd-bench trade --quick --out DIR";
   const guide::Options& scenes = options.scenes;
-  std::string text = "awd-bench trade --methods " + CLI::detail::join(options.methods, ",") +
-                     " --samples " + CLI::detail::join(scenes.samples, ",") + " --seeds " +
+  std::string text = "awd-bench trade --out DIR --methods " +
+                     CLI::detail::join(options.methods, ",") + " --samples " +
+                     CLI::detail::join(scenes.samples, ",") + " --seeds " +
                      std::to_string(scenes.seeds) + " --threads " + std::to_string(scenes.threads);
   if (!options.qualities.empty()) {
     text += " --quality " + CLI::detail::join(options.qualities, ",");

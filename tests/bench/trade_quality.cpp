@@ -61,6 +61,7 @@ bool measure(const LoadedScene& loaded, const std::string& quality, uint64_t see
   must(awdGetRenderStatistics(render, &statistics));
   std::vector<float> image(loaded.reference.mean.values.size());
   must(awdReadFilm(render, AWD_FILM_RADIANCE, image.data(), 0, 0));
+  const double truth = trueError(image, loaded.reference);
   row = {{"scene", loaded.name},
          {"quality", quality},
          {"seed", seed},
@@ -70,21 +71,23 @@ bool measure(const LoadedScene& loaded, const std::string& quality, uint64_t see
          {"cpu_seconds", statistics.cpuSeconds},
          {"stated_error", error.error},
          {"stated_upper", error.upper},
-         {"true_error", trueError(image, loaded.reference)},
+         {"true_error", truth},
          {"reference_error", ownError(loaded.reference)},
-         {"reached", error.upper <= schedule.error}};
+         {"reached", error.upper <= schedule.error},
+         {"kept", truth <= schedule.error}};
   return true;
 }
 
 void print(const Row& row) {
   std::printf(
       "%-14s %-10s %6llu samples %8.3g CPU s, promised %.3g, stated %.3g [to %.3g], "
-      "true %.3g%s\n",
+      "true %.3g%s%s\n",
       row["scene"].get<std::string>().c_str(), row["quality"].get<std::string>().c_str(),
       row["samples_per_pixel"].get<unsigned long long>(), row["cpu_seconds"].get<double>(),
       row["promised_error"].get<double>(), row["stated_error"].get<double>(),
       row["stated_upper"].get<double>(), row["true_error"].get<double>(),
-      row["reached"].get<bool>() ? "" : ", NOT REACHED");
+      row["reached"].get<bool>() ? "" : ", NOT REACHED",
+      row["kept"].get<bool>() ? "" : ", NOT KEPT");
   std::fflush(stdout);
 }
 
