@@ -160,7 +160,7 @@ void measureDetails(Study& study) {
           "functions, and the worst.",
       {"basis", "coefficients", "variance", "worst variance"},
       {}};
-  std::vector<Row> rows = measureWavelets(study.device.get(), samples);
+  const std::vector<Row> rows = measureWavelets(study.device.get(), samples);
   for (const char* basis : {"haar", "f2", "m2", "m3"}) {
     std::vector<double> coefficients, variances;
     for (const Row& row : rows) {
@@ -192,10 +192,9 @@ void measureDetails(Study& study) {
 void measureQuestions(Study& study) {
   study.section.heading("What the paper leaves open");
   study.section.paragraph(
-      "Other function bases (f2, m2 and m3 are tree wavelets'), densities of a fixed level against "
-      "refined ones, wavelet details kept or dropped, samples of the learning passes, and scenes "
-      "of "
-      "more triangles. Cubic B-splines are those of examples/cubic-bspline.");
+      "Other function bases (f2, m2 and m3 are tree wavelets'; cubic B-splines are those of "
+      "examples/cubic-bspline), densities of a fixed level against refined ones, wavelet details "
+      "kept or dropped, samples of the learning passes, and scenes of more triangles.");
   if (study.options.quick) {
     measureVariations(study, "verification");
   } else {

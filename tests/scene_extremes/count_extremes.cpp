@@ -83,8 +83,7 @@ Outcome manyLights() {
                        static_cast<unsigned long long>(info.lights), worst);
 }
 
-/// One patch for all walls with a density of 4096 x 4096 cells, and one of fewer bytes by its
-/// basis.
+/// One patch for all walls, of 4096 x 4096 cells, most of which no sample meets.
 Outcome finestLevel() {
   Findings found;
   SceneBuilder builder = furnace(0.5, 1.0);
