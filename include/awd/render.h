@@ -204,20 +204,45 @@ typedef struct AWDSchedule {
      one was above its upper end up to 14 times of 100. Also within totalSamples and seconds, if
      they are set; not with samplesPerPass. */
   double error;
+  /* Not 0: all passes that the render has had, before an interruption or before it was saved, count
+     as the first of this schedule, and what is left of it is rendered, with the bits of a run that
+     was never interrupted. They must be of the sizes that it has; seconds are those of all. */
+  int32_t resume;
+  uint32_t maxPasses; /* that are rendered now, of those that are left; 0: all */
 } AWDSchedule;
 
 #ifdef __cplusplus
 #define AWD_SCHEDULE_INIT                                                                          \
-  AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u, 0.0, 0.0 }
+  AWDSchedule { sizeof(AWDSchedule), nullptr, 0u, 0u, 0.0, 0.0, 0, 0u }
 #else
 #define AWD_SCHEDULE_INIT                                                                          \
-  { sizeof(AWDSchedule), NULL, 0u, 0u, 0.0, 0.0 }
+  { sizeof(AWDSchedule), NULL, 0u, 0u, 0.0, 0.0, 0, 0u }
 #endif
 
 /* Runs the passes of a schedule (NULL: the preset's) and adapts between them, not after the last.
-   Passes that were finished before a cancellation stay. Exclusive, for the field too. */
+   Passes that were finished before a cancellation stay: with schedule->resume it goes on from
+   there. Exclusive, for the field too. */
 AWD_EXPORT AWDResult AWD_CALL awdRenderPasses(AWDRender render,
                                               const AWDSchedule* schedule) AWD_NOEXCEPT;
+
+/* --- to be gone on with ----------------------------------------------------------------------- */
+
+/* Writes a checkpoint: film, figures of all passes, settings and field, in a file that is there
+   whole or not at all: until the new one is complete the old one stays. Between passes, such as
+   after each (schedule->maxPasses 1). Exclusive, for the field too. */
+AWD_EXPORT AWDResult AWD_CALL awdSaveRender(AWDRender render, const char* path) AWD_NOEXCEPT;
+
+/* A render from a checkpoint, with a field of its own if it is adaptive (awdGetRenderField).
+   `scene` must be committed and made as it was then: AWD_ERROR_INVALID_ARGUMENT if it is another
+   one. `field` and `desc` are what awdNewRender would be given: if their settings are not those of
+   the checkpoint, AWD_ERROR_INVALID_ARGUMENT names the first that differs. NULL: as they were. What
+   `field` has learned doesn't matter, and it is not used. AWD_ERROR_IO if the file can't be read or
+   is damaged.
+   The render goes on with the same bits as if it had never stopped, on a machine and with a library
+   of the same kind: awdRenderPasses with schedule->resume, or passes one by one. Free. */
+AWD_EXPORT AWDResult AWD_CALL awdLoadRender(AWDScene scene, const char* path, AWDField field,
+                                            const AWDRenderDesc* desc,
+                                            AWDRender* render) AWD_NOEXCEPT;
 
 /* How good an image must be, as a promise that the film itself keeps: its error, the upper end of
    awdGetRenderError(), is at most

@@ -303,6 +303,12 @@ AWDFieldStatistics Field::adapt() {
   return statistics();
 }
 
+bool Field::hasRecords() const {
+  bool any = false;
+  table_.forEach([&](uint32_t, const Patch& patch) { any |= patch.hasRecords(); });
+  return any;
+}
+
 AWDFieldStatistics Field::statistics() const {
   AWDFieldStatistics figures = lastPass_;
   figures.bytes = sizeof *this + table_.bytes() + learning_.bytes() + (tree_ ? tree_->bytes() : 0);

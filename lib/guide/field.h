@@ -102,12 +102,16 @@ class Field final : public RefCounted {
   /// No patch is split beyond these bytes, nor beyond those of the settings.
   void limitBytes(uint64_t most) { settings_.maxBytes = std::min(settings_.maxBytes, most); }
   AWDFieldStatistics adapt();
+  /// Whether there is anything that adapt() would learn from.
+  bool hasRecords() const;
   AWDFieldStatistics statistics() const;
   /// What has been recorded so far is kept apart, so that revert() can drop what comes after.
   void mark();
   void revert();
   /// Adds what another field of the same densities has recorded since the last adapt.
   void merge(const Field& other);
+  /// What differs in how they were made, as in "its map"; null: nothing does.
+  const char* differenceTo(const Field& other) const;
   /// Everything that the field is and has recorded.
   std::pmr::vector<char> bytesOf() const;
 

@@ -17,30 +17,6 @@ namespace {
       what);
 }
 
-void checkSettings(const FieldSettings& a, const FieldSettings& b) {
-  const auto check = [](bool same, const char* what) {
-    if (!same) differs(what);
-  };
-  const LearningSettings& ours = a.learning;
-  const LearningSettings& theirs = b.learning;
-  check(a.preset == b.preset, "its preset");
-  check(a.map == b.map, "its map");
-  check(a.startLevel == b.startLevel && a.maxLevel == b.maxLevel, "its levels");
-  check(ours.estimator == theirs.estimator, "its estimator");
-  check(ours.tau == theirs.tau, "tau");
-  check(ours.shrinkage == theirs.shrinkage && ours.refitShrinkage == theirs.refitShrinkage,
-        "shrinkage");
-  check(ours.refitter.solver == theirs.refitter.solver, "refitSolver");
-  check(a.target == b.target, "target");
-  check(a.alpha == b.alpha, "alpha");
-  check(a.patches == b.patches && a.patchSamples == b.patchSamples, "the kind of its patches");
-  check(a.lower == b.lower && a.upper == b.upper, "its box");
-  check(a.maxBytes == b.maxBytes, "maxBytes");
-  const uint32_t lights = a.lights ? a.lights->lights() : 0;
-  check(lights == (b.lights ? b.lights->lights() : 0), "lightCount");
-  check(lights == 0 || *a.lights == *b.lights, "lightPowers");
-}
-
 void checkTrees(const SpatialTree& a, const SpatialTree& b) {
   bool same = a.leaves() == b.leaves();
   for (uint32_t leaf = 0; same && leaf < a.leaves(); ++leaf) {
@@ -91,12 +67,17 @@ void Field::checkMerge(const Field& other, uint32_t key) const {
 
 void Field::checkMerge(const Field& other) const {
   if (&other == this) fail(AWD_ERROR_INVALID_ARGUMENT, "other is field itself");
-  if (family().name() != other.family().name()) differs("its basis");
-  checkSettings(settings_, other.settings_);
+  if (const char* what = differenceTo(other)) differs(what);
+  if (settings_.maxBytes != other.settings_.maxBytes) differs("maxBytes");
   if (!(units_ == other.units_)) differs("the scale of its values (awdSetFieldScale)");
   if (tree_) checkTrees(*tree_, *other.tree_);
   table_.forEach([&](uint32_t key, const Patch&) { checkMerge(other, key); });
   other.table_.forEach([&](uint32_t key, const Patch&) { checkMerge(other, key); });
+}
+
+const char* Field::differenceTo(const Field& other) const {
+  if (family().name() != other.family().name()) return "its basis";
+  return differenceOf(settings_, other.settings_);
 }
 
 void Field::merge(const Field& other) {

@@ -155,4 +155,25 @@ FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc
   return settings;
 }
 
+const char* differenceOf(const FieldSettings& a, const FieldSettings& b) {
+  const LearningSettings& ours = a.learning;
+  const LearningSettings& theirs = b.learning;
+  if (a.preset != b.preset) return "its preset";
+  if (a.map != b.map) return "its map";
+  if (a.startLevel != b.startLevel || a.maxLevel != b.maxLevel) return "its levels";
+  if (ours.estimator != theirs.estimator) return "its estimator";
+  if (ours.tau != theirs.tau) return "tau";
+  if (ours.shrinkage != theirs.shrinkage || ours.refitShrinkage != theirs.refitShrinkage) {
+    return "shrinkage";
+  }
+  if (ours.refitter.solver != theirs.refitter.solver) return "refitSolver";
+  if (a.target != b.target) return "target";
+  if (a.alpha != b.alpha) return "alpha";
+  if (a.patches != b.patches || a.patchSamples != b.patchSamples) return "the kind of its patches";
+  if (!(a.lower == b.lower) || !(a.upper == b.upper)) return "its box";
+  const uint32_t lights = a.lights ? a.lights->lights() : 0;
+  if (lights != (b.lights ? b.lights->lights() : 0)) return "lightCount";
+  return lights == 0 || *a.lights == *b.lights ? nullptr : "lightPowers";
+}
+
 }  // namespace awd

@@ -45,4 +45,8 @@ uint32_t finestFieldLevel(const AWDBasisFamily& family);
 FieldSettings settle(std::pmr::memory_resource* memory, const AWDFieldDesc& desc,
                      const AWDBasisFamily& family);
 
+/// The first in which they differ, as in "its map", but for maxBytes, which renders lower; null:
+/// they don't.
+const char* differenceOf(const FieldSettings& a, const FieldSettings& b);
+
 }  // namespace awd

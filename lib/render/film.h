@@ -7,6 +7,7 @@
 #include <memory_resource>
 #include <vector>
 
+#include "util/bytes.h"
 #include "util/vec.h"
 
 namespace awd {
@@ -63,12 +64,19 @@ class Film {
   FilmError error() const;
   std::size_t bytes() const { return pixels_.capacity() * sizeof(Pixel); }
 
+  void put(ByteWriter& writer) const;
+  /// Of the same size.
+  void get(ByteReader& reader);
+  /// That put() writes.
+  static std::size_t bytesToPut(std::size_t pixels) { return kTotals + pixels * sizeof(Pixel); }
+
  private:
   struct Pixel {
     Vec3d weighted;      ///< sum w x
     Vec3d sum, squares;  ///< sum w^2 x, sum w^2 x^2
     Vec3d evens;         ///< sum w x over the samples of even number
   };
+  static constexpr std::size_t kTotals = sizeof(uint64_t) + 3 * sizeof(double);
 
   uint32_t width_, height_;
   uint64_t samples_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "util/digest.h"
 #include "util/error.h"
 
 namespace awd {
@@ -242,6 +243,22 @@ Geometry::Geometry(Parts&& parts)
 void Geometry::destroy() noexcept {
   const Ref<Context> context = context_;
   unmake(context->memory(), this);
+}
+
+uint64_t Geometry::digest() const {
+  Digest digest;
+  digest.add(center_);
+  digest.add(scale_);
+  for (uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (int k = 0; k < 3; ++k) digest.add(embree_->corners(t)[k]);
+    digest.add(triangles_[t].material);
+    digest.add(triangles_[t].patch);
+  }
+  for (const Material& material : materials_) {
+    digest.add(material.albedo);
+    digest.add(material.emission);
+  }
+  return digest.value();
 }
 
 Geometry::Source Geometry::source(const Triangle& triangle) const {

@@ -71,6 +71,8 @@ class Geometry final : public RefCounted {
   uint32_t find(uint32_t mesh, uint32_t triangle) const;
 
   AWDSceneInfo info() const { return info_; }
+  /// Tells apart whatever is rendered differently.
+  uint64_t digest() const;
 
  private:
   void destroy() noexcept override;

@@ -3,10 +3,8 @@
 
 #include <atomic>
 #include <cmath>
-#include <ctime>
 
 #include "render/expected_luminance.h"
-#include "render/schedule.h"
 #include "util/error.h"
 
 namespace awd {
@@ -16,39 +14,17 @@ namespace {
 /// Side of the square of pixels that one thread renders at a time.
 constexpr uint32_t kTile = 16;
 
-/// With fewer samples per pixel than this in all, what is learned is not worth its time: measured
-/// on six scenes, guided passes are less efficient than unguided ones below 4 to 7 samples.
-constexpr double kFewestGuided = 6.0;
-
 /// Before so many samples per pixel no path is split: what a pixel is expected to have is too
 /// uncertain, and what comes of it too noisy to be worth more of the time.
 constexpr uint64_t kFewestSplit = 8;
 
-/// Before so many samples per pixel no error is believed to be small: light that is rare may not
-/// have been met at all, and a black image has no error.
-constexpr uint64_t kFewestTold = 16;
-
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
-
-/// CPU time of the process and wall time since its construction.
-class Stopwatch {
- public:
-  double cpuSeconds() const { return now(CLOCK_PROCESS_CPUTIME_ID) - cpu_; }
-  double wallSeconds() const { return now(CLOCK_MONOTONIC) - wall_; }
-
- private:
-  static double now(clockid_t clock) {
-    timespec time = {};
-    clock_gettime(clock, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  }
-  double cpu_ = now(CLOCK_PROCESS_CPUTIME_ID);
-  double wall_ = now(CLOCK_MONOTONIC);
-};
 
 bool isRadiance(Rgb c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f; }
 
-AWDCombination combinationOf(const AWDRenderDesc& desc) {
+}  // namespace
+
+AWDCombination settleCombination(const AWDRenderDesc& desc) {
   if (desc.combination != AWD_COMBINE_DEFAULT && desc.combination != AWD_COMBINE_COUNT &&
       desc.combination != AWD_COMBINE_EXPERIENCE) {
     fail(AWD_ERROR_INVALID_ARGUMENT,
@@ -62,17 +38,21 @@ AWDCombination combinationOf(const AWDRenderDesc& desc) {
              : AWD_COMBINE_COUNT;
 }
 
-}  // namespace
-
-struct Render::Counters {
+struct Render::AtomicCounters {
   std::atomic<uint64_t> rays{0}, shadowRays{0}, rejected{0};
 };
 
 Ref<Render> Render::make(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
                          const AWDRenderDesc& desc) {
   std::pmr::memory_resource* memory = context->memory();
-  return Ref<Render>::adopt(
+  auto render = Ref<Render>::adopt(
       awd::make<Render>(memory, std::move(context), std::move(geometry), std::move(field), desc));
+  if (Field* learner = render->field_.get()) {
+    render->experienced_ = learner->statistics().patches > 0;
+    const double brightest = render->geometry_->lights().brightest();
+    if (brightest > 0.0 && std::isfinite(brightest)) learner->setScale(brightest);
+  }
+  return render;
 }
 
 Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
@@ -80,11 +60,13 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
     : context_(std::move(context)),
       geometry_(std::move(geometry)),
       field_(std::move(field)),
+      view_(*desc.camera),
+      desc_(desc),
       preset_(desc.preset),
       settings_(settle(desc)),
       seed_(desc.seed),
       camera_(*desc.camera, *geometry_),
-      combination_(combinationOf(desc)),
+      combination_(settleCombination(desc)),
       film_(context_->memory(), camera_.width(), camera_.height()),
       expected_(context_->memory()),
       statistics_(context_->memory()) {
@@ -99,12 +81,8 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
     }
     if (field_) field_->limitBytes(desc.maxBytes - film);
   }
+  desc_.camera = &view_;
   stepAside(false);
-  if (field_) {
-    experienced_ = field_->statistics().patches > 0;
-    const double brightest = geometry_->lights().brightest();
-    if (brightest > 0.0 && std::isfinite(brightest)) field_->setScale(brightest);
-  }
 }
 
 void Render::destroy() noexcept {
@@ -113,7 +91,7 @@ void Render::destroy() noexcept {
 }
 
 void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
-                        Counters& counters) {
+                        AtomicCounters& counters) {
   const uint32_t columns = tilesAlong(film.width);
   const uint32_t x0 = tile % columns * kTile;
   const uint32_t y0 = tile / columns * kTile;
@@ -148,25 +126,26 @@ double Render::weightOfNext() const {
   return (before + 2.0) / (before + 8.0);
 }
 
-AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
-  if (samplesPerPixel == 0) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
-  }
-  const Stopwatch watch;
-  PassFilm pass(context_->memory(), film_.width(), film_.height());
+void Render::prepare() {
   if (used_.roulette == AWD_ROULETTE_ADJOINT) {
     expected_ = expectedLuminance(context_->memory(), film_);
     used_.maxSplit = film_.samples() < kFewestSplit ? 1 : settings_.maxSplit;
   }
   statistics_.reserve(statistics_.size() + 1);
   if (field_) field_->mark();
-  Counters counters;
+}
+
+Render::Counters Render::renderTiles(uint32_t samplesPerPixel, uint32_t part, uint32_t parts,
+                                     PassFilm& film) {
+  AtomicCounters counters;
   try {
-    const uint32_t tiles = tilesAlong(film_.width()) * tilesAlong(film_.height());
+    const uint32_t all = tilesAlong(film.width) * tilesAlong(film.height);
+    // Every so many tiles: parts that lie in one place would differ in the work they make.
+    const uint32_t tiles = part < all ? (all - part - 1) / parts + 1 : 0;
     Progress progress(*context_, "pass", this, tiles);
-    context_->parallel().forEach(tiles, [&](std::size_t tile) {
+    context_->parallel().forEach(tiles, [&](std::size_t i) {
       if (progress.cancelled()) return;
-      renderTile(static_cast<uint32_t>(tile), samplesPerPixel, pass, counters);
+      renderTile(part + static_cast<uint32_t>(i) * parts, samplesPerPixel, film, counters);
       progress.step();
     });
     progress.throwIfCancelled();
@@ -174,7 +153,12 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
     if (field_) field_->revert();
     throw;
   }
-  film_.merge(pass, samplesPerPixel, weightOfNext());
+  return {counters.rays, counters.shadowRays, counters.rejected};
+}
+
+AWDPassStatistics& Render::finish(const PassFilm& film, uint32_t samplesPerPixel,
+                                  const Counters& counters) {
+  film_.merge(film, samplesPerPixel, weightOfNext());
 
   AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
   figures.samplesPerPixel = samplesPerPixel;
@@ -189,96 +173,22 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
     figures.coefficients = learned.coefficients;
     figures.bytes += learned.bytes;
   }
+  statistics_.push_back(figures);
+  return statistics_.back();
+}
+
+AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
+  if (samplesPerPixel == 0) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
+  }
+  const Stopwatch watch;
+  PassFilm film(context_->memory(), film_.width(), film_.height());
+  prepare();
+  const Counters counters = renderTiles(samplesPerPixel, 0, 1, film);
+  AWDPassStatistics& figures = finish(film, samplesPerPixel, counters);
   figures.cpuSeconds = watch.cpuSeconds();
   figures.wallSeconds = watch.wallSeconds();
-  statistics_.push_back(figures);
   return figures;
-}
-
-bool Render::shouldStepAside(double samples) const {
-  return field_ && !experienced_ && preset_ != AWD_PRESET_PAPER &&
-         static_cast<double>(film_.samples()) + samples < kFewestGuided;
-}
-
-void Render::stepAside(bool aside) {
-  used_ = settings_;
-  learner_ = aside ? nullptr : field_.get();
-  if (!aside) return;
-  used_.guide = AWD_GUIDE_COSINE;
-  if (used_.roulette == AWD_ROULETTE_ADJOINT) used_.roulette = AWD_ROULETTE_ALBEDO;
-}
-
-void Render::adapt() {
-  const Stopwatch watch;
-  const AWDFieldStatistics learned = field_->adapt();
-  AWDPassStatistics& figures = statistics_.back();
-  figures.rejectedSamples += learned.rejected;
-  figures.cpuSeconds += watch.cpuSeconds();
-  figures.wallSeconds += watch.wallSeconds();
-}
-
-uint32_t Render::samplesToReach(double error) const {
-  if (film_.samples() < kFewestTold) return UINT32_MAX;
-  const double now = film_.error().upper;
-  if (now <= error) return 0;
-  // The error goes with the root of the samples at least.
-  const double ratio = now / error;
-  const double more = static_cast<double>(film_.samples()) * (ratio * ratio - 1.0);
-  return more < UINT32_MAX ? std::max(static_cast<uint32_t>(more), 1u) : UINT32_MAX;
-}
-
-void Render::passesWithin(const AWDSchedule& budget) {
-  const Stopwatch watch;
-  double pace = 0.0;  // seconds a sample per pixel took in the last pass, with its adapt
-  uint32_t left = budget.totalSamples ? budget.totalSamples : UINT32_MAX;
-  stepAside(shouldStepAside(left));
-  for (uint32_t k = 0; left > 0; ++k) {
-    const double begun = watch.wallSeconds();
-    uint32_t samples = std::min(passSize(k), left);
-    if (budget.error > 0.0) samples = std::min(samples, samplesToReach(budget.error));
-    if (samples == 0) break;
-    if (k > 0 && budget.seconds > 0.0) {
-      const double fits = (budget.seconds - begun) / pace;
-      if (!(fits >= 1.0)) break;
-      stepAside(shouldStepAside(fits));
-      // A remainder too small for a pass of its own goes along with this one.
-      if (fits < 2.0 * samples) samples = static_cast<uint32_t>(std::min<double>(fits, left));
-    }
-    if (learner_ && !statistics_.empty()) adapt();
-    pass(samples);
-    left -= samples;
-    pace = (watch.wallSeconds() - begun) / samples;
-  }
-}
-
-void Render::passes(const AWDSchedule& schedule) {
-  const auto checkBudget = [](double value, const char* name) {
-    if (value >= 0.0 && std::isfinite(value)) return;
-    fail(AWD_ERROR_INVALID_ARGUMENT, "schedule->%s is %g: it must be finite and not negative", name,
-         value);
-  };
-  checkBudget(schedule.seconds, "seconds");
-  checkBudget(schedule.error, "error");
-  // Whatever this schedule decides holds until its end.
-  struct Guided {
-    Render& render;
-    ~Guided() { render.stepAside(false); }
-  } const again{*this};
-  if (schedule.seconds > 0.0 || schedule.error > 0.0) {
-    if (schedule.samplesPerPass || schedule.passCount > 0) {
-      fail(AWD_ERROR_INVALID_ARGUMENT,
-           "schedule has %s and samplesPerPass: under such a limit the library divides",
-           schedule.seconds > 0.0 ? "seconds" : "error");
-    }
-    return passesWithin(schedule);
-  }
-  const bool divides = !schedule.samplesPerPass && schedule.totalSamples > 0;
-  stepAside(divides && shouldStepAside(schedule.totalSamples));
-  for (const uint32_t samples :
-       planPasses(context_->memory(), schedule, preset_, learner_ != nullptr)) {
-    if (learner_ && !statistics_.empty()) adapt();
-    pass(samples);
-  }
 }
 
 FilmError Render::error() const {

@@ -39,8 +39,11 @@ void putAt(std::pmr::vector<char>& bytes, std::size_t at, uint64_t number) {
 
 }  // namespace
 
-ByteWriter::ByteWriter(std::pmr::memory_resource* memory, std::string_view magic, uint32_t version)
-    : bytes_(magic.begin(), magic.begin() + kMagic, memory) {
+ByteWriter::ByteWriter(std::pmr::memory_resource* memory, std::string_view magic, uint32_t version,
+                       std::size_t most)
+    : bytes_(memory) {
+  bytes_.reserve(most);
+  bytes_.assign(magic.begin(), magic.begin() + kMagic);
   put(version);
   put(uint64_t{0});
   put(uint64_t{0});
@@ -49,6 +52,11 @@ ByteWriter::ByteWriter(std::pmr::memory_resource* memory, std::string_view magic
 void ByteWriter::putText(std::string_view text) {
   put(static_cast<uint32_t>(text.size()));
   bytes_.insert(bytes_.end(), text.begin(), text.end());
+}
+
+void ByteWriter::putBytes(const std::pmr::vector<char>& bytes) {
+  put(uint64_t{bytes.size()});
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
 }
 
 void ByteWriter::putPacked(uint64_t number) {
@@ -89,6 +97,11 @@ ByteReader::ByteReader(const void* bytes, std::size_t size, std::string_view mag
 std::string_view ByteReader::getText(std::size_t longest) {
   const auto size = get<uint32_t>();
   if (size > longest) damaged();
+  return {take(size), size};
+}
+
+std::string_view ByteReader::getBytes() {
+  const std::size_t size = getCount(1);
   return {take(size), size};
 }
 

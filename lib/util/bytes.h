@@ -14,8 +14,9 @@ namespace awd {
 
 class ByteWriter {
  public:
-  /// magic: eight characters.
-  ByteWriter(std::pmr::memory_resource* memory, std::string_view magic, uint32_t version);
+  /// magic: eight characters. most: bytes that room is made for at once.
+  ByteWriter(std::pmr::memory_resource* memory, std::string_view magic, uint32_t version,
+             std::size_t most = 0);
 
   /// An integer, or a double by its bits.
   template <class Number>
@@ -32,6 +33,8 @@ class ByteWriter {
     }
   }
   void putText(std::string_view text);
+  /// Bytes with a frame of their own, or none.
+  void putBytes(const std::pmr::vector<char>& bytes);
   /// A number that tends to be small: seven bits a byte, the lowest first.
   void putPacked(uint64_t number);
 
@@ -72,6 +75,7 @@ class ByteReader {
     return number;
   }
   std::string_view getText(std::size_t longest);
+  std::string_view getBytes();
   uint64_t getPacked();
   /// A count of items of which each takes that many bytes at least, so that no more is allocated
   /// than was given.

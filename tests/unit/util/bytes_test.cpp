@@ -121,6 +121,26 @@ TEST(Bytes, WhatMakesNoSenseIsDamage) {
   expectDamaged(other.finish(), [](ByteReader& of) { of.get(-1.0, 1.0); });
 }
 
+TEST(Bytes, WithinOthersComeBack) {
+  const Bytes inner = writer().finish();
+  ByteWriter to = writer();
+  to.putBytes(inner);
+  to.putBytes({});
+  to.put(uint8_t{7});
+  const Bytes bytes = to.finish();
+  ByteReader from = reader(bytes);
+  const std::string_view got = from.getBytes();
+  EXPECT_EQ(Bytes(got.begin(), got.end()), inner);
+  EXPECT_TRUE(from.getBytes().empty());
+  EXPECT_EQ(from.get<uint8_t>(), 7);
+  from.finish();
+
+  ByteWriter other = writer();
+  other.put(uint64_t{2});
+  other.put(uint8_t{0});
+  expectDamaged(other.finish(), [](ByteReader& of) { of.getBytes(); });
+}
+
 TEST(Bytes, AnotherVersionIsNamed) {
   const Bytes bytes = writer().finish();
   try {

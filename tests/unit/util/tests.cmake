@@ -3,6 +3,7 @@ awd_unit_test(util
   atomic_file_test.cpp
   bytes_test.cpp
   context_test.cpp
+  digest_test.cpp
   error_test.cpp
   file_bytes_test.cpp
   memory_test.cpp
