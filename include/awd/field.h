@@ -347,6 +347,32 @@ AWD_EXPORT AWDResult AWD_CALL awdReadField(AWDDevice device, const char* path,
    Exclusive for both. */
 AWD_EXPORT AWDResult AWD_CALL awdMergeField(AWDField field, AWDField other) AWD_NOEXCEPT;
 
+/* For many processes that record parts of a pass at once, each in a field of its own: what this one
+   has recorded since the last adapt, or since awdMarkField after it, as numbers that are combined
+   element by element. The first *sums are to be added, modulo 2^64; of the *maxima after them the
+   largest is to be taken, since which value was the largest can't be had from sums. With MPI:
+     MPI_Allreduce(MPI_IN_PLACE, numbers, sums, MPI_UINT64_T, MPI_SUM, comm);
+     MPI_Allreduce(MPI_IN_PLACE, numbers + sums, maxima, MPI_UINT64_T, MPI_MAX, comm);
+   All fields must be the same in settings, patches, densities and scale, such as fields loaded from
+   the same bytes, or made alike and then adapted to the same imports. The numbers are laid out over
+   the patches of these densities, also those that this process has not touched. Of a field with
+   patches of the host's own `patches` has the numbers of all in which any of the processes may have
+   recorded, patchCount of them, ascending and the same for all; with spatial patches NULL and 0.
+   numbers may be NULL if capacity is 0; nothing is written if they don't fit.
+   AWD_ERROR_INVALID_ARGUMENT if a patch that is not in `patches` has records. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdExportField(AWDField field, const uint32_t* patches,
+                                             size_t patchCount, uint64_t* numbers, size_t capacity,
+                                             size_t* sums, size_t* maxima) AWD_NOEXCEPT;
+/* Puts the combined numbers, count = sums + maxima, in place of what this field has recorded since
+   then: the bits are those of one process that has recorded everything, and each process goes on
+   with awdAdaptField to the same densities. Where a pass is recorded on top without an adapt,
+   awdMarkField comes first, lest what is common be exported again.
+   AWD_ERROR_INVALID_ARGUMENT, and nothing is changed, if the fields were not all the same: the
+   message says in what they differ. Exclusive. */
+AWD_EXPORT AWDResult AWD_CALL awdImportField(AWDField field, const uint32_t* patches,
+                                             size_t patchCount, const uint64_t* numbers,
+                                             size_t count) AWD_NOEXCEPT;
+
 #ifdef __cplusplus
 }
 #endif

@@ -60,6 +60,14 @@ class FixedSums {
 
   void addFlaws(const FixedSums& other) noexcept;
   void clearFlaws() noexcept;
+  /// After the sums, of which it tells whether one has gone past its end.
+  template <class Visitor>
+  void visitFlaws(Visitor& visitor) {
+    visitor.overflow(overflowed_);
+    visitor.maximum(largestBits_);
+    for (std::atomic<uint64_t>& count : rejected_) visitor.count(count);
+    visitor.count(saturated_);
+  }
   void putFlaws(ByteWriter& writer) const;
   void getFlaws(ByteReader& reader);
   static void putSum(ByteWriter& writer, const std::atomic<int64_t>& sum);

@@ -31,6 +31,15 @@ class SquareStatistics final : public FixedSums {
 
   /// Adds another pass's figures, in the same unit.
   void add(const SquareStatistics& other) noexcept;
+  /// As of SquareValues.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    for (std::size_t i = 0; i < components_; ++i) {
+      visitor.count(cells_[i].count);
+      visitor.sum(cells_[i].sum);
+    }
+    visitFlaws(visitor);
+  }
   /// Back to no samples.
   void clear() noexcept;
   void put(ByteWriter& writer) const;

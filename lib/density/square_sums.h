@@ -39,6 +39,12 @@ class SquareSums final : public FixedSums {
 
   /// Adds another pass's figures, of the same level and in the same unit.
   void add(const SquareSums& other) noexcept;
+  /// As of SquareValues.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    for (std::size_t i = 0; i < size(); ++i) visitor.sum(sums_[i]);
+    visitFlaws(visitor);
+  }
   /// Back to no samples.
   void clear() noexcept;
   void put(ByteWriter& writer) const;

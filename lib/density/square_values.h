@@ -44,6 +44,12 @@ class SquareValues final : public FixedSums {
 
   /// Adds another pass's figures, of the same level and in the same unit.
   void add(const SquareValues& other) noexcept;
+  /// Shows all numbers to one who knows sums, counts, flaws and maxima apart.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    for (std::size_t i = 0; i < components_; ++i) visitor.sum(sums_[i]);
+    visitFlaws(visitor);
+  }
   /// Back to no samples.
   void clear() noexcept;
   void put(ByteWriter& writer) const;

@@ -119,21 +119,26 @@ AWDDirectionSample Field::mapDirection(uint32_t patch, Vec3f normal, Vec3f direc
 }
 
 Patch& Field::touch(uint32_t key) {
-  return table_.touch(key, [&] {
-    std::pmr::memory_resource* memory = context_->memory();
-    const Patch* from = nearest(key);
-    const PatchKnowledge known = from ? from->known : PatchKnowledge();
-    Patch* made =
-        awd::make<Patch>(memory, memory,
-                         learning_.freshStatistics(density(known).level(),
-                                                   from ? from->statistics->units() : units_));
-    // A part of a patch that had no sample there: its density, to begin with, and no more.
-    made->known.density = known.density;
-    made->known.lights = known.lights;
-    made->known.lightShare = 0.0;
-    made->known.alpha = known.alpha;
-    return made;
-  });
+  return table_.touch(key, [&] { return newPatch(key); });
+}
+
+PatchUnits Field::unitsOf(uint32_t key) const {
+  const Patch* patch = nearest(key);
+  return patch ? patch->statistics->units() : units_;
+}
+
+Patch* Field::newPatch(uint32_t key) const {
+  std::pmr::memory_resource* memory = context_->memory();
+  const Patch* from = nearest(key);
+  const PatchKnowledge known = from ? from->known : PatchKnowledge();
+  Patch* made = awd::make<Patch>(memory, memory,
+                                 learning_.freshStatistics(density(known).level(), unitsOf(key)));
+  // A part of a patch that had no sample there: its density, to begin with, and no more.
+  made->known.density = known.density;
+  made->known.lights = known.lights;
+  made->known.lightShare = 0.0;
+  made->known.alpha = known.alpha;
+  return made;
 }
 
 void Field::checkPatch(uint32_t patch) const {

@@ -110,6 +110,22 @@ class Field final : public RefCounted {
   void revert();
   /// Adds what another field of the same densities has recorded since the last adapt.
   void merge(const Field& other);
+  /// The patches that several fields exchange records of: null for spatial ones, which are all that
+  /// the tree has; of the host's own those that any of the fields may have recorded in, ascending.
+  struct Exchanged {
+    const uint32_t* patches = nullptr;
+    std::size_t count = 0;
+  };
+  /// How many numbers these are: first such that are added up, then such of which the largest is
+  /// taken.
+  struct ExchangeSize {
+    std::size_t sums, maxima;
+  };
+  ExchangeSize exchangeSize(const Exchanged& exchanged) const;
+  /// What has been recorded since the last adapt, or the last mark after it.
+  void exportRecords(const Exchanged& exchanged, uint64_t* sums, uint64_t* maxima) const;
+  /// Puts in place of that what several fields of the same densities have exported, combined.
+  void importRecords(const Exchanged& exchanged, const uint64_t* sums, const uint64_t* maxima);
   /// What differs in how they were made, as in "its map"; null: nothing does.
   const char* differenceTo(const Field& other) const;
   /// Everything that the field is and has recorded.
@@ -179,6 +195,13 @@ class Field final : public RefCounted {
   /// Views go on showing what the last adapt left, and record where statistics are now.
   void renewViews();
   Patch& touch(uint32_t key);
+  Patch* newPatch(uint32_t key) const;
+
+  struct Layout;
+  Layout layOut(const Exchanged& exchanged) const;
+  /// Of settings, places, knowledge and units: what all who exchange records must agree in.
+  std::array<uint64_t, 4> digests(const Layout& layout) const;
+  PatchUnits unitsOf(uint32_t key) const;
 
   Owned<PatchStatistics> getStatistics(ByteReader& reader, const BasisLevel& level,
                                        PatchUnits units) const;

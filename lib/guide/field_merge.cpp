@@ -56,11 +56,7 @@ void Field::checkMerge(const Field& other, uint32_t key) const {
         "field, and not have been adapted since",
         numberOf(key));
   }
-  const auto unitOf = [key](const Field& field) {
-    const Patch* nearest = field.nearest(key);
-    return nearest ? nearest->statistics->units() : field.units_;
-  };
-  if (!(unitOf(*this) == unitOf(other))) {
+  if (!(unitsOf(key) == other.unitsOf(key))) {
     differs("the scale of its values (awdSetFieldScale)");
   }
 }

@@ -49,6 +49,16 @@ class LightSums : public FixedSums {
 
   /// Of as many lights and the same unit.
   void add(const LightSums& other) noexcept;
+  /// As of SquareValues.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    if (cells_.empty()) return;
+    for (Cell& cell : cells_) {
+      visitor.count(cell.count);
+      visitor.sum(cell.sum);
+    }
+    visitFlaws(visitor);
+  }
   void clear() noexcept;
   void put(ByteWriter& writer) const;
   void get(ByteReader& reader);

@@ -153,6 +153,14 @@ class PatchStatistics {
     if (means_) means_->add(*other.means_);
     lights_.add(other.lights_);
   }
+  /// Shows all numbers to one who knows sums, counts, flaws and maxima apart.
+  template <class Visitor>
+  void visit(Visitor& visitor) {
+    for (std::atomic<uint64_t>& count : eighths_) visitor.count(count);
+    visitSums(sums_, [&](auto& sums) { sums.visit(visitor); });
+    if (means_) means_->visit(visitor);
+    lights_.visit(visitor);
+  }
   void clear() noexcept {
     for (std::atomic<uint64_t>& count : eighths_) count.store(0, std::memory_order_relaxed);
     visitSums(sums_, [](auto& sums) { sums.clear(); });
