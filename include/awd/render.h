@@ -244,6 +244,45 @@ AWD_EXPORT AWDResult AWD_CALL awdLoadRender(AWDScene scene, const char* path, AW
                                             const AWDRenderDesc* desc,
                                             AWDRender* render) AWD_NOEXCEPT;
 
+/* --- in several processes ---------------------------------------------------------------------
+   Each has the scene, and a render and a field made alike or loaded from one checkpoint; all call
+     for (;;) {
+       awdRenderPassPart(render, &schedule, rank, ranks, &samples);
+       if (samples == 0) break;
+       awdExportPass(render, numbers, capacity, &sums, &maxima);
+       MPI_Allreduce(MPI_IN_PLACE, numbers, sums, MPI_UINT64_T, MPI_SUM, comm);
+       MPI_Allreduce(MPI_IN_PLACE, numbers + sums, maxima, MPI_UINT64_T, MPI_MAX, comm);
+       awdImportPass(render, numbers, sums + maxima, NULL);
+     }
+   and each then has the film, the field and the passes of awdRenderPasses in one process, bit by
+   bit, whatever the number of processes: any may save the checkpoint, and any number go on from it.
+   The processes must run the same library on processors of one kind. */
+
+/* Renders part `part` of `parts` of the next pass that the schedule (NULL: the preset's) has after
+   those which the render has had, and adapts before it as awdRenderPasses does. *samplesPerPixel:
+   of the pass; 0: the schedule is through, and nothing was done. A part is every parts-th tile of
+   16 x 16 pixels with all samples of the pass: a pixel's sums are those of one process in the order
+   of its samples, which no other way of dividing leaves as they are. Schedules of seconds are
+   refused. What has been rendered counts when it is imported; until then it is given up by the next
+   part or pass, which renders the same pass again. A cancelled or failed part leaves film and field
+   as they were. Exclusive, for the field too, which must not be used until awdImportPass. */
+AWD_EXPORT AWDResult AWD_CALL awdRenderPassPart(AWDRender render, const AWDSchedule* schedule,
+                                                uint32_t part, uint32_t parts,
+                                                uint32_t* samplesPerPixel) AWD_NOEXCEPT;
+/* The part last rendered, as *sums numbers to be added, modulo 2^64, and after them *maxima of
+   which the largest is to be taken: 9 numbers a pixel, and those of awdExportField unless the pass
+   is unguided. numbers may be NULL if capacity is 0; nothing is written if they don't fit.
+   AWD_ERROR_INVALID_OPERATION if no part waits to be imported. Exclusive, for the field too. */
+AWD_EXPORT AWDResult AWD_CALL awdExportPass(AWDRender render, uint64_t* numbers, size_t capacity,
+                                            size_t* sums, size_t* maxima) AWD_NOEXCEPT;
+/* Ends the pass with the numbers of all parts, combined; count = sums + maxima. Of its figures, in
+   `statistics` unless that is NULL, cpuSeconds are those of all processes, wallSeconds those of the
+   slowest. AWD_ERROR_INVALID_ARGUMENT, and nothing is changed, unless each part is in the numbers
+   once, and all processes have the same scene, settings, passes and densities: the message says
+   what is wrong. Exclusive, for the field too. */
+AWD_EXPORT AWDResult AWD_CALL awdImportPass(AWDRender render, const uint64_t* numbers, size_t count,
+                                            AWDPassStatistics* statistics) AWD_NOEXCEPT;
+
 /* How good an image must be, as a promise that the film itself keeps: its error, the upper end of
    awdGetRenderError(), is at most
      draft 0.5, normal 0.25, fine 0.1, reference 0.05

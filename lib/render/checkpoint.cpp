@@ -102,6 +102,10 @@ bool sameView(const AWDCamera& a, const AWDCamera& b) {
 }  // namespace
 
 void Render::save(const char* path) const {
+  if (part_) {
+    fail(AWD_ERROR_INVALID_OPERATION,
+         "a part of a pass has been rendered: save before it, or after awdImportPass");
+  }
   std::pmr::vector<char> learned(context_->memory());
   if (field_) learned = field_->bytesOf();
   const std::size_t pixels = std::size_t{film_.width()} * film_.height();

@@ -181,6 +181,7 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   if (samplesPerPixel == 0) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
   }
+  dropPart();
   const Stopwatch watch;
   PassFilm film(context_->memory(), film_.width(), film_.height());
   prepare();

@@ -36,6 +36,13 @@ class Render final : public RefCounted {
   /// The passes of a schedule, adapting between them.
   void passes(const AWDSchedule& schedule);
 
+  /// Renders one of so many parts of the schedule's next pass, adapting before it; its samples per
+  /// pixel, 0: none is left. What is rendered counts once importPass() brings the whole.
+  uint32_t passPart(const AWDSchedule& schedule, uint32_t part, uint32_t parts);
+  Field::ExchangeSize exchangeSize() const;
+  void exportPass(uint64_t* sums, uint64_t* maxima) const;
+  AWDPassStatistics importPass(const uint64_t* sums, const uint64_t* maxima);
+
   const Film& film() const { return film_; }
   const Ref<Field>& field() const { return field_; }
   const std::pmr::vector<AWDPassStatistics>& statistics() const { return statistics_; }
@@ -54,6 +61,21 @@ class Render final : public RefCounted {
     uint64_t rays = 0, shadowRays = 0, rejected = 0;
   };
   struct AtomicCounters;
+  /// Of a pass, before the others' are known.
+  struct Part {
+    uint32_t samples, part, parts;
+    bool learns;  ///< whether the field was recorded in
+    PassFilm film;
+    Counters counters;
+    double cpuSeconds, wallSeconds;
+  };
+  const Part& knownPart() const;
+  /// Forgets a part that was never imported.
+  void dropPart();
+  /// Of all that those who render parts of one pass must agree in.
+  uint64_t partDigest() const;
+  /// All patches that a path may record in, unless they are spatial.
+  std::pmr::vector<uint32_t> exchangedPatches() const;
   /// A schedule at work.
   struct Run {
     const AWDSchedule& schedule;
@@ -111,6 +133,7 @@ class Render final : public RefCounted {
   Film film_;
   std::pmr::vector<float> expected_;  ///< luminance of pixels before the pass at hand, for roulette
   std::pmr::vector<AWDPassStatistics> statistics_;
+  std::optional<Part> part_;
 };
 
 }  // namespace awd

@@ -89,6 +89,7 @@ void Render::checkBegun(const std::pmr::vector<uint32_t>& plan) const {
 
 Render::Run Render::begin(const AWDSchedule& schedule) {
   check(schedule);
+  dropPart();
   Run run = {schedule, std::pmr::vector<uint32_t>(context_->memory()), 0, 0, 0.0, 0.0, {}};
   const bool resumes = schedule.resume != 0;
   if (resumes) run.next = static_cast<uint32_t>(statistics_.size());
