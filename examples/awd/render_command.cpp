@@ -29,6 +29,7 @@ void checkOutputs(const RenderOptions& options) {
   checkWritable(options.output);
   if (options.json) checkWritable(*options.json);
   if (options.fieldOut) checkWritable(*options.fieldOut);
+  if (options.checkpoint) checkWritable(*options.checkpoint);
   for (const PdfRequest& pdf : options.pdfs) checkWritable(pdf.file());
 }
 
@@ -51,7 +52,14 @@ Field makeField(const Device& device, const RenderOptions& options, AWDScene sce
   return field;
 }
 
-Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camera,
+uint32_t passCount(const Render& render) {
+  uint32_t count = 0;
+  check(awdGetPassCount(render.get(), &count));
+  return count;
+}
+
+/// From the checkpoint if there is one; `field` is then that of the render.
+Render makeRender(const Scene& scene, Field& field, const AWDCamera& camera,
                   const RenderOptions& options) {
   AWDRenderDesc desc = AWD_RENDER_DESC_INIT;
   desc.camera = &camera;
@@ -65,7 +73,17 @@ Render makeRender(const Scene& scene, const Field& field, const AWDCamera& camer
   desc.maxBytes = static_cast<uint64_t>(options.memory.value_or(0.0) * 1048576.0);
   desc.seed = options.seed;
   Render render;
-  check(awdNewRender(scene.get(), field.get(), &desc, render.out()));
+  if (!options.checkpoint || !std::filesystem::exists(*options.checkpoint)) {
+    check(awdNewRender(scene.get(), field.get(), &desc, render.out()));
+    return render;
+  }
+  const std::string& file = *options.checkpoint;
+  check(awdLoadRender(scene.get(), file.c_str(), field.get(), &desc, render.out()));
+  field = Field();
+  check(awdGetRenderField(render.get(), field.out()));
+  const uint32_t passes = passCount(render);
+  note("going on from " + file + ", after " + std::to_string(passes) +
+       (passes == 1 ? " pass" : " passes"));
   return render;
 }
 
@@ -76,7 +94,20 @@ bool finished(AWDResult result, const std::string& what) {
   return true;
 }
 
-AWDResult renderPasses(const Render& render, const Schedule& schedule) {
+/// A pass at a time, each of them saved.
+AWDResult renderWithCheckpoints(const Render& render, AWDSchedule schedule,
+                                const std::string& file) {
+  schedule.resume = 1;
+  schedule.maxPasses = 1;
+  for (uint32_t before = passCount(render);; ++before) {
+    const AWDResult result = awdRenderPasses(render.get(), &schedule);
+    if (result != AWD_SUCCESS || passCount(render) == before) return result;
+    check(awdSaveRender(render.get(), file.c_str()));
+  }
+}
+
+AWDResult renderPasses(const Render& render, const RenderOptions& options) {
+  const Schedule& schedule = options.schedule;
   AWDSchedule desc = AWD_SCHEDULE_INIT;
   if (!schedule.samplesPerPass.empty()) {
     desc.samplesPerPass = schedule.samplesPerPass.data();
@@ -85,6 +116,7 @@ AWDResult renderPasses(const Render& render, const Schedule& schedule) {
   desc.totalSamples = schedule.totalSamples;
   desc.seconds = schedule.seconds;
   desc.error = schedule.error;
+  if (options.checkpoint) return renderWithCheckpoints(render, desc, *options.checkpoint);
   return awdRenderPasses(render.get(), &desc);
 }
 
@@ -175,15 +207,14 @@ int render(RenderOptions& options, const std::string& commandLine) {
     return kInterrupted;
   }
 
-  const Field field = makeField(device, options, scene.get());
+  Field field = makeField(device, options, scene.get());
   const Render render = makeRender(scene, field, camera, options);
   for (PdfRequest& pdf : options.pdfs)
     pdf.resolve(scene, render, options.presetValue() != AWD_PRESET_PAPER);
-  const bool complete = finished(renderPasses(render, options.schedule), options.scene);
+  const bool complete = finished(renderPasses(render, options), options.scene);
   clearStatus();
   if (!complete) {
-    uint32_t passes = 0;
-    check(awdGetPassCount(render.get(), &passes));
+    const uint32_t passes = passCount(render);
     complain(passes == 0
                  ? "interrupted before the first pass had ended: nothing is written"
                  : "interrupted: only finished passes are written, " + std::to_string(passes));

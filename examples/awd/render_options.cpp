@@ -99,6 +99,9 @@ void RenderOptions::describe(CLI::App& command) {
                      "Begin with what another render of the scene, smaller perhaps, has\n"
                      "learned, from this file");
   command.add_option("--save-field", fieldOut, "Write what has been learned to this file");
+  command.add_option("--checkpoint", checkpoint,
+                     "Write all that it takes to go on to this file after each pass, and if\n"
+                     "it is there go on from it: with the same scene and options");
   command.add_option("--json", json, "Write statistics of each pass and of all to this file");
   command
       .add_option("--pdf", pdfTexts,

@@ -15,7 +15,8 @@ namespace command {
 
 struct RenderOptions {
   std::string scene, output;
-  std::optional<std::string> camera, json, basis, spp, refitSolver, fieldIn, fieldOut, quality;
+  std::optional<std::string> camera, json, basis, spp, refitSolver, fieldIn, fieldOut, quality,
+      checkpoint;
   std::optional<uint32_t> width, height, level, passes, samples;
   std::optional<double> seconds, error, memory;
   std::string guide = "adaptive", preset = "default", estimator = "default";
