@@ -145,7 +145,7 @@ void Field::exportRecords(const Exchanged& exchanged, uint64_t* sums, uint64_t* 
     maxima[2 * i + 1] = ~own[i];
   }
   layout.forEach(*this, sums, maxima,
-                 [&](uint32_t key, PatchStatistics& example, uint64_t* s, uint64_t* m) {
+                 [&](uint32_t key, PatchStatistics& example, auto* s, auto* m) {
                    Patch* patch = table_.find(key);
                    ExchangeWriter writer = {s, m};
                    (patch ? *patch->statistics : example).visit(writer);

@@ -75,7 +75,7 @@ class Checkpoint : public testing::Test {
   const std::string file_ = folder_.path("a.checkpoint");
 };
 
-TEST_F(Checkpoint, GoesOnInTheMiddleOfASchedule) {
+TEST_F(Checkpoint, GoesOnInTheMiddleOfAScheduleSlow) {
   for (const Way& way : ways_) {
     const Outcome whole = undisturbed(way);
     for (int stopIn = 1; stopIn <= passesOf(whole); ++stopIn) {

@@ -76,7 +76,7 @@ class Parts : public testing::Test {
   AWDRenderDesc desc_ = renderDesc(view_, AWD_GUIDE_ADAPTIVE, 7);
 };
 
-TEST_F(Parts, HaveTheBitsOfTheWhole) {
+TEST_F(Parts, HaveTheBitsOfTheWholeSlow) {
   static const uint32_t passes[] = {2, 3, 4};
   AWDSchedule divided = AWD_SCHEDULE_INIT, listed = divided, few = divided, limited = divided;
   divided.totalSamples = 12;
