@@ -261,11 +261,12 @@ AWD_EXPORT AWDResult AWD_CALL awdLoadRender(AWDScene scene, const char* path, AW
 /* Renders part `part` of `parts` of the next pass that the schedule (NULL: the preset's) has after
    those which the render has had, and adapts before it as awdRenderPasses does. *samplesPerPixel:
    of the pass; 0: the schedule is through, and nothing was done. A part is every parts-th tile of
-   16 x 16 pixels with all samples of the pass: a pixel's sums are those of one process in the order
-   of its samples, which no other way of dividing leaves as they are. Schedules of seconds are
-   refused. What has been rendered counts when it is imported; until then it is given up by the next
-   part or pass, which renders the same pass again. A cancelled or failed part leaves film and field
-   as they were. Exclusive, for the field too, which must not be used until awdImportPass. */
+   16 x 16 pixels with all samples of the pass: a pixel's sums are then made by one process in the
+   order of its samples; of divided samples the sums would be rounded otherwise. Schedules of
+   seconds are refused. What has been rendered counts when it is imported; until then it is given up
+   by the next part or pass, which renders the same pass again. A cancelled or failed part leaves
+   film and field as they were. Exclusive, for the field too, which must not be used until
+   awdImportPass. */
 AWD_EXPORT AWDResult AWD_CALL awdRenderPassPart(AWDRender render, const AWDSchedule* schedule,
                                                 uint32_t part, uint32_t parts,
                                                 uint32_t* samplesPerPixel) AWD_NOEXCEPT;
