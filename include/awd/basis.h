@@ -25,6 +25,7 @@ extern "C" {
 #endif
 
 #define AWD_BASIS_ABI 1u /* bumped only on a break; also in the entry point's name */
+/* The symbol that a plugin exports. */
 #define AWD_BASIS_ENTRY awdBasisModule_v1
 #define AWD_BASIS_MAX_ORDER 8u  /* functions alive at one x, and degree + 1, at most */
 #define AWD_BASIS_MAX_LEVEL 20u /* no family goes beyond */
@@ -40,17 +41,19 @@ enum {
   AWD_BASIS_NESTED = 4u
 };
 
+/* A family: what it is, and its functions. */
 typedef struct AWDBasisFamily {
   size_t structSize;   /* sizeof(AWDBasisFamily); append only */
   const char* name;    /* ^[a-z][a-z0-9_.-]{0,63}$; unique on a device */
   const char* summary; /* one line */
-  uint32_t flags;
+  uint32_t flags;      /* AWD_BASIS_ORTHOGONAL and so on, together */
   uint32_t order;      /* polynomial degree + 1, 1 to AWD_BASIS_MAX_ORDER */
   uint32_t sampleDims; /* uniforms that `sample` takes, 1 to AWD_BASIS_MAX_ORDER */
-  uint32_t minLevel;
-  uint32_t maxLevel; /* minLevel to AWD_BASIS_MAX_LEVEL */
-  /* Number n of functions, and of equal polynomial pieces. */
+  uint32_t minLevel;   /* coarsest level that it has */
+  uint32_t maxLevel;   /* minLevel to AWD_BASIS_MAX_LEVEL */
+  /* Number n of functions. */
   uint32_t(AWD_CALL* count)(uint32_t level);
+  /* Number of equal polynomial pieces. */
   uint32_t(AWD_CALL* cells)(uint32_t level);
   /* Smallest interval outside which N_j is 0; for a periodic one that wraps, ab[1] > 1. */
   void(AWD_CALL* support)(uint32_t level, uint32_t j, double ab[2]);
@@ -78,25 +81,27 @@ typedef struct AWDBasisFamily {
 /* The host's services; a plugin may ignore them. */
 typedef struct AWDBasisHost {
   size_t structSize;
-  uint32_t abi;
-  uint32_t libraryVersion;
+  uint32_t abi;            /* AWD_BASIS_ABI of the library */
+  uint32_t libraryVersion; /* AWD_VERSION of the library */
 } AWDBasisHost;
 
+/* What a plugin is made of. */
 typedef struct AWDBasisModule {
-  size_t structSize;    /* sizeof(AWDBasisModule); append only */
-  uint32_t abi;         /* AWD_BASIS_ABI that the plugin was compiled with */
-  uint32_t familyCount; /* 1 to 256 */
-  const char* version;
-  const char* license;
-  const AWDBasisFamily* const* families;
+  size_t structSize;                     /* sizeof(AWDBasisModule); append only */
+  uint32_t abi;                          /* AWD_BASIS_ABI that the plugin was compiled with */
+  uint32_t familyCount;                  /* 1 to 256 */
+  const char* version;                   /* of the plugin, for people */
+  const char* license;                   /* likewise */
+  const AWDBasisFamily* const* families; /* familyCount of them */
 } AWDBasisModule;
 
 /* A plugin's one exported symbol, AWD_BASIS_ENTRY, is of this type. It returns static storage,
-   or NULL to refuse the host. */
+   or NULL to refuse the host. Free. */
 typedef const AWDBasisModule*(AWD_CALL* AWDBasisModuleFn)(const AWDBasisHost* host);
 
 /* A plugin defines it as:
-     AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host) */
+     AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host)
+   Free. */
 AWD_EXPORT const AWDBasisModule* AWD_CALL AWD_BASIS_ENTRY(const AWDBasisHost* host) AWD_NOEXCEPT;
 
 #ifdef __cplusplus

@@ -19,21 +19,22 @@ enum {
   AWD_DEVICE_IGNORE_ENVIRONMENT = 1u /* don't read $AWD_BASIS_PATH */
 };
 
+/* What a device is to be. Callbacks are given the pointer that stands after them. */
 typedef struct AWDDeviceDesc {
   size_t structSize;
   uint32_t threads; /* 0: all this process may use; 1: everything runs in the calling thread */
-  uint32_t flags;
-  AWDLogFn log; /* NULL: silent. The library itself never prints. */
-  void* logUser;
-  AWDProgressFn progress; /* NULL: nothing is reported, nothing can be cancelled */
-  void* progressUser;
-  AWDAllocFn alloc; /* with `free`, or both NULL for the C++ runtime's */
-  AWDFreeFn free;
-  void* allocUser;
-  AWDParallelForFn parallelFor; /* the host's scheduler; NULL: the library's own */
-  void* parallelForUser;
+  uint32_t flags;   /* AWD_DEVICE_... */
+  AWDLogFn log;     /* NULL: silent. The library itself never prints. */
+  void* logUser;    /* of log */
+  AWDProgressFn progress;        /* NULL: nothing is reported, nothing can be cancelled */
+  void* progressUser;            /* of progress */
+  AWDAllocFn alloc;              /* with `free`, or both NULL for the C++ runtime's */
+  AWDFreeFn free;                /* with `alloc` */
+  void* allocUser;               /* of both */
+  AWDParallelForFn parallelFor;  /* the host's scheduler; NULL: the library's own */
+  void* parallelForUser;         /* of parallelFor */
   const char* const* basisPaths; /* absolute folders, searched before all others; copied */
-  size_t basisPathCount;
+  size_t basisPathCount;         /* of basisPaths */
 } AWDDeviceDesc;
 
 #ifdef __cplusplus
@@ -61,6 +62,7 @@ AWD_EXPORT const char* AWD_CALL awdGetLastErrorMessage(void) AWD_NOEXCEPT;
    the first one is asked for. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewDevice(const AWDDeviceDesc* desc,
                                            AWDDevice* device) AWD_NOEXCEPT;
+/* One reference more, or less; NULL is allowed. Free. */
 AWD_EXPORT void AWD_CALL awdRetainDevice(AWDDevice device) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseDevice(AWDDevice device) AWD_NOEXCEPT;
 
@@ -75,7 +77,7 @@ AWD_EXPORT AWDResult AWD_CALL awdLoadBasisModule(AWDDevice device,
                                                  const char* absolutePath) AWD_NOEXCEPT;
 
 /* Registers a module that is linked into the host; its table must outlive the device. A table, like
-   a file, that is registered already is no error. Free. */
+   a file, that is registered already is no error. AWD_ERROR_PLUGIN_... tells why not. Free. */
 AWD_EXPORT AWDResult AWD_CALL
 awdRegisterBasisModule(AWDDevice device, const struct AWDBasisModule* module) AWD_NOEXCEPT;
 
@@ -112,9 +114,9 @@ typedef struct AWDBasisInfo {
   uint32_t flags;      /* AWD_BASIS_ORTHOGONAL and so on */
   const char* message; /* why not; "" when it can be used */
   uint32_t order;      /* polynomial degree + 1 */
-  uint32_t minLevel;
-  uint32_t maxLevel;
-  uint32_t reserved;
+  uint32_t minLevel;   /* coarsest level */
+  uint32_t maxLevel;   /* finest level */
+  uint32_t reserved;   /* 0 */
 } AWDBasisInfo;
 
 #ifdef __cplusplus

@@ -22,13 +22,14 @@
 extern "C" {
 #endif
 
+/* A map of the unit square to the hemisphere, as above. */
 typedef int32_t AWDHemisphereMap;
 enum {
-  AWD_MAP_DEFAULT = 0,
-  AWD_MAP_SPHERICAL = 1,
-  AWD_MAP_CONCENTRIC_COSINE = 2,
-  AWD_MAP_CYLINDRICAL = 3,
-  AWD_MAP_COSINE = 4
+  AWD_MAP_DEFAULT = 0,           /* concentric-cosine; spherical in the preset paper */
+  AWD_MAP_SPHERICAL = 1,         /* the paper's */
+  AWD_MAP_CONCENTRIC_COSINE = 2, /* a constant density is cosine sampling; no pole, no seam */
+  AWD_MAP_CYLINDRICAL = 3,       /* a constant density is uniform */
+  AWD_MAP_COSINE = 4             /* a constant density is cosine sampling */
 };
 
 /* Which patches there are. */
@@ -45,12 +46,13 @@ enum {
 /* Of the lights that a field tells apart. */
 #define AWD_MOST_FIELD_LIGHTS 64
 
+/* What field to make. */
 typedef struct AWDFieldDesc {
   size_t structSize;
-  AWDPreset preset; /* settles every setting that is 0 below */
-  AWDHemisphereMap map;
-  const char* basis;   /* name of a family; NULL: "linear-bspline"; "haar" in the preset paper */
-  uint32_t startLevel; /* AWD_LEVEL(l) of a density's first pass, or 0 */
+  AWDPreset preset;     /* settles every setting that is 0 below */
+  AWDHemisphereMap map; /* of all its densities */
+  const char* basis;    /* name of a family; NULL: "linear-bspline"; "haar" in the preset paper */
+  uint32_t startLevel;  /* AWD_LEVEL(l) of a density's first pass, or 0 */
   /* AWD_LEVEL(l) beyond which nothing is refined, or 0. A patch is refined when it has samples
      enough and, from level 3 on, its density contrast enough; in the preset paper after every pass.
      Default: from level 3 to 4. */
@@ -65,7 +67,7 @@ typedef struct AWDFieldDesc {
   const char* refitSolver;
   /* Of quasi and refit, as in AWDDensityDesc. */
   double shrinkage;
-  AWDPatches patches;
+  AWDPatches patches; /* the library's or the host's */
   float lower[3]; /* box of the positions of spatial patches, in the host's units; both 0: none, */
   float upper[3]; /* or that of the scene by awdNewSceneField */
   /* A spatial patch that has had more samples is split; 0: 2000. Times sqrt(n / 512) if there are
@@ -84,7 +86,7 @@ typedef struct AWDFieldDesc {
   /* As many powers >= 0, by which lights are chosen where nothing has been learned; copied; NULL:
      equal ones. */
   const float* lightPowers;
-  AWDTarget target;
+  AWDTarget target; /* what densities become proportional to */
 } AWDFieldDesc;
 
 #ifdef __cplusplus
@@ -106,13 +108,15 @@ typedef struct AWDFieldDesc {
    the paths tried. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewField(AWDDevice device, const AWDFieldDesc* desc,
                                           AWDField* field) AWD_NOEXCEPT;
+/* One reference more, or less; NULL is allowed. Free. */
 AWD_EXPORT void AWD_CALL awdRetainField(AWDField field) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseField(AWDField field) AWD_NOEXCEPT;
 
 /* The number of the spatial patch at a point of a surface with the unit normal on the side of the
    ray, until the next adapt. A number also tells in which eighth of its patch the point lies, so
    that patches are split where their samples were: numbers that agree but for their three lowest
-   bits are one patch. Free, but not while the field adapts. */
+   bits are one patch. AWD_ERROR_INVALID_OPERATION if patches are the host's. Free, but not while
+   the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdFindPatch(AWDField field, const float position[3],
                                            const float normal[3], uint32_t* patch) AWD_NOEXCEPT;
 
@@ -153,23 +157,24 @@ AWD_EXPORT AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch,
    first adapt on each patch goes by what it has seen. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdSetFieldScale(AWDField field, double magnitude) AWD_NOEXCEPT;
 
+/* Figures of a field and of its last adapt. */
 typedef struct AWDFieldStatistics {
   size_t structSize;
-  uint64_t patches;         /* that have ever had a sample */
-  uint64_t coefficients;    /* of all their densities */
-  uint64_t bytes;           /* memory held by the field */
-  uint64_t samples;         /* recorded by the pass that the last adapt ended */
-  uint64_t rejected;        /* of these: NaN, infinite or negative, or of a bad pdf */
-  uint64_t saturated;       /* of these: too large for the scale, clamped */
-  uint64_t kept;            /* patches whose samples were of no use: density kept as it was */
-  uint64_t refitFailed;     /* patches whose refit failed in the last adapt: quasi instead */
-  uint64_t refitLimited;    /* that ended at the solver's limit of iterations */
-  uint64_t refitIterations; /* of the solver in the last adapt, over all patches */
-  uint64_t capped;          /* patches that maxBytes kept from being split in the last adapt */
-  uint64_t rejectedNaN;     /* of the rejected: by value */
-  uint64_t rejectedInfinite;
-  uint64_t rejectedNegative;
-  uint64_t rejectedPdf; /* of the rejected: by a pdf that no sample can have, in a path */
+  uint64_t patches;          /* that have ever had a sample */
+  uint64_t coefficients;     /* of all their densities */
+  uint64_t bytes;            /* memory held by the field */
+  uint64_t samples;          /* recorded by the pass that the last adapt ended */
+  uint64_t rejected;         /* of these: NaN, infinite or negative, or of a bad pdf */
+  uint64_t saturated;        /* of these: too large for the scale, clamped */
+  uint64_t kept;             /* patches whose samples were of no use: density kept as it was */
+  uint64_t refitFailed;      /* patches whose refit failed in the last adapt: quasi instead */
+  uint64_t refitLimited;     /* that ended at the solver's limit of iterations */
+  uint64_t refitIterations;  /* of the solver in the last adapt, over all patches */
+  uint64_t capped;           /* patches that maxBytes kept from being split in the last adapt */
+  uint64_t rejectedNaN;      /* of the rejected: by value */
+  uint64_t rejectedInfinite; /* likewise */
+  uint64_t rejectedNegative; /* likewise */
+  uint64_t rejectedPdf;      /* of the rejected: by a pdf that no sample can have, in a path */
 } AWDFieldStatistics;
 
 #ifdef __cplusplus
@@ -185,7 +190,7 @@ typedef struct AWDFieldStatistics {
 /* Ends a pass: every patch's recorded samples become its next density (estimate, clamp,
    normalise; lumped: with what all passes before have taught), refined by a level where that is
    due, and spatial patches of many samples are split; statistics start anew. statistics may be
-   NULL. A cancelled adapt leaves the field as it was. Exclusive. */
+   NULL. A cancelled adapt (AWD_ERROR_CANCELLED) leaves the field as it was. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdAdaptField(AWDField field,
                                             AWDFieldStatistics* statistics) AWD_NOEXCEPT;
 
@@ -205,6 +210,7 @@ AWD_EXPORT AWDResult AWD_CALL awdGetFieldStatistics(AWDField field,
 AWD_EXPORT AWDResult AWD_CALL awdGetFieldPatches(AWDField field, uint32_t* patches, size_t capacity,
                                                  size_t* count) AWD_NOEXCEPT;
 
+/* What is known of a patch. */
 typedef struct AWDPatchInfo {
   size_t structSize;
   const char* basis;  /* name of the family on both axes; lives as long as the field */
@@ -277,16 +283,21 @@ AWD_EXPORT AWDResult AWD_CALL awdMapDirection(AWDField field, uint32_t patch, co
    For wavefront renderers: what the functions for one item do, in the order of the items and with
    the same bits. Arrays are packed: item i has positions[3 i] to positions[3 i + 2], likewise
    normals, directions and uniforms. If an argument is wrong the message names its index, and
-   nothing is written or recorded. Free, but not while the field adapts. */
+   nothing is written or recorded. */
+
+/* awdFindPatch for `count` places. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdFindPatches(AWDField field, size_t count, const float* positions,
                                              const float* normals, uint32_t* patches) AWD_NOEXCEPT;
+/* awdSampleField for `count` patches. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdSampleFieldBatch(AWDField field, size_t count,
                                                   const uint32_t* patches, const float* normals,
                                                   const double* uniforms,
                                                   AWDDirectionSample* samples) AWD_NOEXCEPT;
+/* awdGetFieldPdf for `count` directions. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetFieldPdfs(AWDField field, size_t count, const uint32_t* patches,
                                               const float* normals, const float* directions,
                                               float* pdfs) AWD_NOEXCEPT;
+/* awdRecordField for `count` samples. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdRecordFieldBatch(AWDField field, size_t count,
                                                   const uint32_t* patches,
                                                   const AWDDirectionSample* samples,
@@ -330,13 +341,14 @@ AWD_EXPORT AWDResult AWD_CALL awdRecordFieldPath(AWDField field, size_t count,
    loaded field goes on with the same bits. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdSaveField(AWDField field, void* bytes, size_t capacity,
                                            size_t* size) AWD_NOEXCEPT;
-/* Damaged bytes are refused with AWD_ERROR_IO. Free. */
+/* A field from such bytes. Damaged ones are refused with AWD_ERROR_IO; AWD_ERROR_UNSUPPORTED when
+   there is no such basis or refit module here. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdLoadField(AWDDevice device, const void* bytes, size_t size,
                                            AWDField* field) AWD_NOEXCEPT;
 /* The same bytes in a file, which is there whole or not at all: until the new one is complete the
-   old one stays. Exclusive. */
+   old one stays. AWD_ERROR_IO if it can't be written. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdWriteField(AWDField field, const char* path) AWD_NOEXCEPT;
-/* Free. */
+/* A field from such a file. AWD_ERROR_IO: there is none, or it is damaged. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdReadField(AWDDevice device, const char* path,
                                            AWDField* field) AWD_NOEXCEPT;
 

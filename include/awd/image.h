@@ -26,9 +26,11 @@ AWD_EXPORT AWDResult AWD_CALL awdNewPatchImage(AWDField field, uint32_t patch, u
 /* Reads whatever OpenEXR reads: any compression, half, float or integer channels, scanlines or
    tiles (full resolution), luminance-chroma (as R G B), deep scanlines (composited), the first
    part of several with the other parts' channels as "part.channel". The data window becomes the
-   image. A missing, truncated or damaged file is AWD_ERROR_IO. Free. */
+   image. A missing, truncated or damaged file is AWD_ERROR_IO; AWD_ERROR_UNSUPPORTED is one of a
+   later version, or of more than 65536 pixels along an axis. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdReadImage(AWDDevice device, const char* path,
                                            AWDImage* image) AWD_NOEXCEPT;
+/* One reference more, or less; NULL is allowed. Free. */
 AWD_EXPORT void AWD_CALL awdRetainImage(AWDImage image) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseImage(AWDImage image) AWD_NOEXCEPT;
 
@@ -55,9 +57,11 @@ AWD_EXPORT AWDResult AWD_CALL awdSetImageMetadata(AWDImage image, const char* ke
 AWD_EXPORT AWDResult AWD_CALL awdGetImageMetadata(AWDImage image, const char* key,
                                                   const char** value) AWD_NOEXCEPT;
 
-/* One part of scanlines, float32, ZIP; metadata as string attributes. Free. */
+/* One part of scanlines, float32, ZIP; metadata as string attributes. AWD_ERROR_IO if it can't be
+   written, AWD_ERROR_INVALID_OPERATION if there is no channel. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdWriteImageEXR(AWDImage image, const char* path) AWD_NOEXCEPT;
 
+/* How values become a PNG. */
 typedef struct AWDPNGDesc {
   size_t structSize;
   float exposure;    /* stops: values are multiplied by 2^exposure */
@@ -73,7 +77,9 @@ typedef struct AWDPNGDesc {
 #endif
 
 /* 8 bit. An image with R, G and B is written as colours in sRGB, clipped; any other shows its
-   first channel in false colours from 0 (dark) to its maximum (bright). desc may be NULL. Free. */
+   first channel in false colours from 0 (dark) to its maximum (bright). desc may be NULL.
+   AWD_ERROR_IO if it can't be written, AWD_ERROR_INVALID_OPERATION if there is no channel,
+   AWD_ERROR_UNSUPPORTED if it has more pixels than a PNG may. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdWriteImagePNG(AWDImage image, const char* path,
                                                const AWDPNGDesc* desc) AWD_NOEXCEPT;
 

@@ -31,21 +31,23 @@ AWD_EXPORT AWDResult AWD_CALL awdChooseLight(AWDField field, uint32_t patch, dou
                                              uint32_t* light, float* chance,
                                              double* rest) AWD_NOEXCEPT;
 
-/* The chance of light < lightCount to be chosen. Free, but not while the field adapts. */
+/* The chance of light < lightCount to be chosen. AWD_ERROR_INVALID_OPERATION if lightCount is 0.
+   Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetLightChance(AWDField field, uint32_t patch, uint32_t light,
                                                 float* chance) AWD_NOEXCEPT;
 
 /* What a shadow ray to `light` brought: x_l = luminance of f_r L cos(theta) over the pdf of the
    point in solid angle (and of the choice within its group), times the weight with which the host
    combines it; not divided by the chance of the light; 0 where it was hidden. NaN, infinite or
-   negative values count as rejected samples of value 0. Free, but not while the field adapts. */
+   negative values count as rejected samples of value 0. AWD_ERROR_INVALID_OPERATION as above. Free,
+   but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdRecordLight(AWDField field, uint32_t patch, uint32_t light,
                                              double value) AWD_NOEXCEPT;
 
 /* sum_l sqrt(E[x_l^2]), the root mean square of an estimate of all lights by one shadow ray chosen
    in the best way, by what all passes have found; 0 where nothing has been. Times throughput over
-   what the pixel is expected to have it tells how many shadow rays a vertex is worth. Free, but not
-   while the field adapts. */
+   what the pixel is expected to have it tells how many shadow rays a vertex is worth.
+   AWD_ERROR_INVALID_OPERATION as above. Free, but not while the field adapts. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPatchLight(AWDField field, uint32_t patch,
                                                float* magnitude) AWD_NOEXCEPT;
 

@@ -21,12 +21,12 @@ extern "C" {
    right = lookDir x up; lookDir is normalised and up made orthogonal to it. */
 typedef struct AWDCamera {
   size_t structSize;
-  float eye[3];
-  float lookDir[3];
-  float up[3];
+  float eye[3];      /* where it stands */
+  float lookDir[3];  /* not 0; need not be a unit vector */
+  float up[3];       /* not along lookDir */
   float tanHalfFovX; /* > 0 */
   uint32_t width;    /* 1 to 65536 */
-  uint32_t height;
+  uint32_t height;   /* 1 to 65536 */
 } AWDCamera;
 
 #ifdef __cplusplus
@@ -54,7 +54,7 @@ enum {
 /* How light is found. */
 typedef int32_t AWDDirectLight;
 enum {
-  AWD_DIRECT_DEFAULT = 0,
+  AWD_DIRECT_DEFAULT = 0, /* weighted; area in the preset paper */
   /* Shadow rays alone, over the light's area: infinite variance where a light touches a surface. */
   AWD_DIRECT_AREA = 1,
   /* Shadow rays and indirect rays that meet a light, by balance weights from area and cosine. */
@@ -97,33 +97,34 @@ enum {
 typedef int32_t AWDLightChoice;
 enum {
   AWD_LIGHTS_DEFAULT = 0, /* learned if adaptive and the field chooses lights; else by power */
-  AWD_LIGHTS_POWER = 1,
+  AWD_LIGHTS_POWER = 1,   /* in proportion to its power */
   /* As the field has learned (awd/light.h), among 16 groups where there are more lights. Needs
      AWD_GUIDE_ADAPTIVE, and a field that knows the scene's lights: awdNewSceneField makes one. */
   AWD_LIGHTS_LEARNED = 2
 };
 
+/* What render to make. */
 typedef struct AWDRenderDesc {
   size_t structSize;
   const AWDCamera* camera; /* copied; required */
   AWDPreset preset;        /* settles every setting that is 0 below */
-  AWDGuide guide;
-  AWDDirectLight direct;
-  AWDRoulette roulette;
-  uint32_t shadowRays; /* per light and vertex, at most 1024; 0: 1, in the preset paper 4 */
+  AWDGuide guide;          /* where indirect rays go */
+  AWDDirectLight direct;   /* how light is found */
+  AWDRoulette roulette;    /* how long paths live */
+  uint32_t shadowRays;     /* per light and vertex, at most 1024; 0: 1, in the preset paper 4 */
   /* With more lights than this, the shadow rays of a vertex share them by power; 0: 1, in the
      preset paper 8. */
   uint32_t maxLights;
-  uint64_t seed;
+  uint64_t seed;              /* any; the same gives the same bits */
   AWDCombination combination; /* count or experience */
-  AWDPoints points;
+  AWDPoints points;           /* what paths are drawn from */
   /* Of film, pass and field together; 0: no limit. An image that takes more by itself is refused;
      the field splits no patch beyond the rest, which replaces a larger maxBytes of its own. */
   uint64_t maxBytes;
   /* Of the roulette adjoint: rays a vertex, at most 64; 1: none; 0: 8. None in a film of fewer than
      8 samples per pixel. */
   uint32_t maxSplit;
-  AWDLightChoice lights;
+  AWDLightChoice lights; /* which light a shadow ray goes to */
 } AWDRenderDesc;
 
 #ifdef __cplusplus
@@ -136,17 +137,19 @@ typedef struct AWDRenderDesc {
 
 /* awdNewField, for renders of a committed scene: a box and lights that desc leaves open are those
    of the scene, each light by its power, or 16 groups of about equal power where there are more.
-   desc NULL: all defaults. Free. */
+   desc NULL: all defaults. AWD_ERROR_INVALID_OPERATION if the scene is not committed; else as
+   awdNewField. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewSceneField(AWDScene scene, const AWDFieldDesc* desc,
                                                AWDField* field) AWD_NOEXCEPT;
 
 /* Makes a render of a committed scene with a black film. `field` is used by AWD_GUIDE_ADAPTIVE
    alone; NULL: one of the render's own, made by the same preset (awdNewSceneField). Its scale is
-   set from the lights.
-   Free, but exclusive for the field. */
+   set from the lights. AWD_ERROR_INVALID_OPERATION if the scene is not committed. Free, but
+   exclusive for the field. */
 AWD_EXPORT AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field,
                                            const AWDRenderDesc* desc,
                                            AWDRender* render) AWD_NOEXCEPT;
+/* One reference more, or less; NULL is allowed. Free. */
 AWD_EXPORT void AWD_CALL awdRetainRender(AWDRender render) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseRender(AWDRender render) AWD_NOEXCEPT;
 
@@ -156,15 +159,15 @@ AWD_EXPORT AWDResult AWD_CALL awdGetRenderField(AWDRender render, AWDField* fiel
 /* Figures of one pass, or of all. */
 typedef struct AWDPassStatistics {
   size_t structSize;
-  double cpuSeconds;  /* of the process, while rendering and adapting */
-  double wallSeconds; /* likewise */
-  uint64_t samplesPerPixel;
-  uint64_t samples; /* camera paths */
-  uint64_t rays;    /* traced, shadow rays included */
-  uint64_t shadowRays;
-  uint64_t patches;      /* that have had a sample, at the end */
-  uint64_t coefficients; /* of their densities as used during the pass */
-  uint64_t bytes;        /* of field and film */
+  double cpuSeconds;        /* of the process, while rendering and adapting */
+  double wallSeconds;       /* likewise */
+  uint64_t samplesPerPixel; /* of the pass, or of all */
+  uint64_t samples;         /* camera paths */
+  uint64_t rays;            /* traced, shadow rays included */
+  uint64_t shadowRays;      /* of these */
+  uint64_t patches;         /* that have had a sample, at the end */
+  uint64_t coefficients;    /* of their densities as used during the pass */
+  uint64_t bytes;           /* of field and film */
   /* Paths whose radiance, and records whose value, was NaN, infinite or negative: left out, but
      counted as samples. */
   uint64_t rejectedSamples;
@@ -179,8 +182,8 @@ typedef struct AWDPassStatistics {
 #endif
 
 /* One pass of n >= 1 samples per pixel with the densities as they are; doesn't adapt: the host
-   calls awdAdaptField. statistics may be NULL. A cancelled or failed pass leaves film and field as
-   they were. Exclusive, for the field too. */
+   calls awdAdaptField. statistics may be NULL. A cancelled (AWD_ERROR_CANCELLED) or failed pass
+   leaves film and field as they were. Exclusive, for the field too. */
 AWD_EXPORT AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPerPixel,
                                             AWDPassStatistics* statistics) AWD_NOEXCEPT;
 
@@ -191,8 +194,8 @@ AWD_EXPORT AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPe
 typedef struct AWDSchedule {
   size_t structSize;
   const uint32_t* samplesPerPass; /* passCount numbers >= 1 */
-  uint32_t passCount;
-  uint32_t totalSamples; /* per pixel */
+  uint32_t passCount;             /* 0 if samplesPerPass is NULL */
+  uint32_t totalSamples;          /* per pixel */
   /* Wall time, 0: no limit. Sizes of passes are the library's then, 1, 1, 1, 2, 2, 2, 4, ..; none
      is begun that would by the pace of the last go beyond, but for the first, and the last is as
      large as still fits. Not with samplesPerPass. How many samples there are, and with them the
@@ -220,8 +223,8 @@ typedef struct AWDSchedule {
 #endif
 
 /* Runs the passes of a schedule (NULL: the preset's) and adapts between them, not after the last.
-   Passes that were finished before a cancellation stay: with schedule->resume it goes on from
-   there. Exclusive, for the field too. */
+   Passes that were finished before a cancellation (AWD_ERROR_CANCELLED) stay: with
+   schedule->resume it goes on from there. Exclusive, for the field too. */
 AWD_EXPORT AWDResult AWD_CALL awdRenderPasses(AWDRender render,
                                               const AWDSchedule* schedule) AWD_NOEXCEPT;
 
@@ -291,10 +294,10 @@ AWD_EXPORT AWDResult AWD_CALL awdImportPass(AWDRender render, const uint64_t* nu
      draft 1024, normal 4096, fine 16384, reference 65536. */
 typedef int32_t AWDQuality;
 enum {
-  AWD_QUALITY_DRAFT = 1,
-  AWD_QUALITY_NORMAL = 2,
-  AWD_QUALITY_FINE = 3,
-  AWD_QUALITY_REFERENCE = 4
+  AWD_QUALITY_DRAFT = 1,    /* error at most 0.5 */
+  AWD_QUALITY_NORMAL = 2,   /* at most 0.25 */
+  AWD_QUALITY_FINE = 3,     /* at most 0.1 */
+  AWD_QUALITY_REFERENCE = 4 /* at most 0.05 */
 };
 
 /* Sets `error` and `totalSamples` to those of the quality, and all else to AWD_SCHEDULE_INIT; the
@@ -303,8 +306,9 @@ enum {
 AWD_EXPORT AWDResult AWD_CALL awdGetQualitySchedule(AWDQuality quality,
                                                     AWDSchedule* schedule) AWD_NOEXCEPT;
 
-/* Passes finished so far, and the figures of each; index < count. Exclusive. */
+/* Passes finished so far. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPassCount(AWDRender render, uint32_t* count) AWD_NOEXCEPT;
+/* The figures of one of them, index < count. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPassStatistics(AWDRender render, uint32_t index,
                                                    AWDPassStatistics* statistics) AWD_NOEXCEPT;
 /* Sums over all passes; patches, coefficients and bytes are those of the last. Exclusive. */
@@ -334,9 +338,9 @@ AWD_EXPORT AWDResult AWD_CALL awdGetFilmInfo(AWDRender render, uint32_t* width, 
    samples that was fixed before; what no sample has met yet, nobody can know of. */
 typedef struct AWDRenderError {
   size_t structSize;
-  double error;
-  double lower;
-  double upper;
+  double error; /* estimate */
+  double lower; /* end of the interval */
+  double upper; /* likewise */
 } AWDRenderError;
 
 #ifdef __cplusplus

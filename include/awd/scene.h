@@ -16,6 +16,7 @@ extern "C" {
 
 /* Makes an empty scene. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdNewScene(AWDDevice device, AWDScene* scene) AWD_NOEXCEPT;
+/* One reference more, or less; NULL is allowed. Free. */
 AWD_EXPORT void AWD_CALL awdRetainScene(AWDScene scene) AWD_NOEXCEPT;
 AWD_EXPORT void AWD_CALL awdReleaseScene(AWDScene scene) AWD_NOEXCEPT;
 
@@ -48,6 +49,7 @@ enum {
   AWD_MESH_SHARED = 1u
 };
 
+/* Triangles. Buffers are copied, unless they are shared. */
 typedef struct AWDMeshDesc {
   size_t structSize;
   AWDBuffer vertices;  /* FLOAT3; finite, below 1e18 in magnitude */
@@ -55,7 +57,7 @@ typedef struct AWDMeshDesc {
   AWDBuffer materials; /* UINT, one a triangle; none: `material` for all */
   AWDBuffer patches;   /* UINT below 2^31 - 1, one a triangle; none: a patch per planar piece */
   uint32_t material;   /* used when there is no `materials` buffer */
-  uint32_t flags;
+  uint32_t flags;      /* AWD_MESH_SHARED or 0 */
 } AWDMeshDesc;
 
 #ifdef __cplusplus
@@ -80,19 +82,20 @@ AWD_EXPORT AWDResult AWD_CALL awdAddMesh(AWDScene scene, const AWDMeshDesc* desc
 /* Checks everything, finds planar pieces and lights, and builds the ray tracing structure.
    Triangles without area are skipped and counted; a scene without light is a warning in the log.
    A bad vertex, index, material or patch is an error that names it, and leaves the scene as it
-   was before the call. Exclusive. */
+   was before the call; so does AWD_ERROR_CANCELLED. Exclusive. */
 AWD_EXPORT AWDResult AWD_CALL awdCommitScene(AWDScene scene) AWD_NOEXCEPT;
 
+/* Figures of a scene. */
 typedef struct AWDSceneInfo {
   size_t structSize;
   uint64_t triangles; /* uploaded */
   uint64_t skipped;   /* of these, without area */
   uint64_t lights;    /* coplanar connected emissive triangles of one material are one */
   uint64_t patches;   /* host's ids in use and planar pieces; each has two sides */
-  uint32_t meshes;
-  uint32_t materials;
-  float lower[3]; /* bounding box; 0 if there is no triangle */
-  float upper[3];
+  uint32_t meshes;    /* added */
+  uint32_t materials; /* added */
+  float lower[3];     /* bounding box; 0 if there is no triangle */
+  float upper[3];     /* likewise */
 } AWDSceneInfo;
 
 #ifdef __cplusplus
@@ -107,45 +110,48 @@ typedef struct AWDSceneInfo {
   }
 #endif
 
-/* Figures of the committed scene. Free. */
+/* Figures of the committed scene; AWD_ERROR_INVALID_OPERATION if it is not. Free. */
 AWD_EXPORT AWDResult AWD_CALL awdGetSceneInfo(AWDScene scene, AWDSceneInfo* info) AWD_NOEXCEPT;
 
-/* --- queries; free on a committed scene ------------------------------------------------------ */
+/* --- queries ----------------------------------------------------------------------------------
+   Of a committed scene; AWD_ERROR_INVALID_OPERATION if it is not. */
 
 /* A ray o + t d, tnear <= t <= tfar; d need not be a unit vector. This struct never grows. */
 typedef struct AWDRay {
-  float origin[3];
-  float tnear;
-  float direction[3];
-  float tfar; /* may be infinite */
+  float origin[3];    /* o */
+  float tnear;        /* finite */
+  float direction[3]; /* d */
+  float tfar;         /* may be infinite */
 } AWDRay;
 
 /* What a ray meets first. This struct never grows. */
 typedef struct AWDHit {
-  float t;         /* infinite if nothing was hit */
-  float normal[3]; /* geometric, unit, front side */
-  float u, v;      /* barycentric: (1-u-v) p0 + u p1 + v p2 */
-  uint32_t mesh;   /* AWD_INVALID_ID if nothing was hit */
-  uint32_t triangle;
-  uint32_t material;
-  uint32_t patch; /* with AWD_PATCH_BACK if met on the back side */
+  float t;           /* infinite if nothing was hit */
+  float normal[3];   /* geometric, unit, front side */
+  float u;           /* barycentric: (1-u-v) p0 + u p1 + v p2 */
+  float v;           /* likewise */
+  uint32_t mesh;     /* AWD_INVALID_ID if nothing was hit */
+  uint32_t triangle; /* of the mesh */
+  uint32_t material; /* of the triangle */
+  uint32_t patch;    /* with AWD_PATCH_BACK if met on the back side */
 } AWDHit;
 
-/* First hits of `count` rays. */
+/* First hits of `count` rays. Free, but not while the scene is committed. */
 AWD_EXPORT AWDResult AWD_CALL awdIntersect(AWDScene scene, const AWDRay* rays, size_t count,
                                            AWDHit* hits) AWD_NOEXCEPT;
 
-/* Whether anything lies on each of `count` rays: 1 or 0. */
+/* Whether anything lies on each of `count` rays: 1 or 0. Free, but not while the scene is
+   committed. */
 AWD_EXPORT AWDResult AWD_CALL awdOccluded(AWDScene scene, const AWDRay* rays, size_t count,
                                           uint8_t* occluded) AWD_NOEXCEPT;
 
 /* The patch of a triangle: front side, or back side if `back` is not 0. AWD_INVALID_ID for one
-   without area. */
+   without area. Free, but not while the scene is committed. */
 AWD_EXPORT AWDResult AWD_CALL awdGetTrianglePatch(AWDScene scene, uint32_t mesh, uint32_t triangle,
                                                   int32_t back, uint32_t* patch) AWD_NOEXCEPT;
 
 /* The patch of the triangle nearest to a point, on the side where the point is (front if it lies
-   in the plane). AWD_INVALID_ID in an empty scene. */
+   in the plane). AWD_INVALID_ID in an empty scene. Free, but not while the scene is committed. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPointPatch(AWDScene scene, const float point[3],
                                                uint32_t* patch) AWD_NOEXCEPT;
 

@@ -6,6 +6,11 @@
  * Conventions of the whole interface
  *  - Every call that can fail returns AWDResult. Outputs go through pointers; a handle output is
  *    NULL after a failure. The reason is in awdGetLastErrorMessage().
+ *  - Any call may return AWD_ERROR_INVALID_ARGUMENT (NULL where that is not allowed, a number out
+ *    of its range), AWD_ERROR_OUT_OF_MEMORY, and AWD_ERROR_UNKNOWN, which is a bug of ours; what
+ *    works in parallel also AWD_ERROR_INVALID_OPERATION, when the host's parallelFor has not run
+ *    every task once. All others are named at the function. A call that fails changes nothing,
+ *    unless it says so.
  *  - New gives the caller one reference; Retain adds one, Release drops one; both accept NULL.
  *    A child (a scene of a device, a render of a scene) keeps its parents alive.
  *  - Descriptions start with structSize, which their ..._INIT macro sets. They only ever grow at
@@ -33,7 +38,9 @@
 #define AWD_EXPORT __declspec(dllimport)
 #endif
 #else
+/* Calling convention of the interface. */
 #define AWD_CALL
+/* Of what the library or a plugin exports. */
 #define AWD_EXPORT __attribute__((visibility("default")))
 #endif
 
@@ -41,6 +48,7 @@
 #define AWD_NOEXCEPT noexcept
 extern "C" {
 #else
+/* noexcept, to C++. */
 #define AWD_NOEXCEPT
 #endif
 
@@ -53,18 +61,18 @@ extern "C" {
 /* The result of a call: AWD_SUCCESS or one of the negative AWD_ERROR_... values. */
 typedef int32_t AWDResult;
 enum {
-  AWD_SUCCESS = 0,
-  AWD_ERROR_UNKNOWN = -1,
-  AWD_ERROR_INVALID_ARGUMENT = -2,  /* a value that the call can't take */
-  AWD_ERROR_INVALID_OPERATION = -3, /* a call at the wrong time, such as before commit */
-  AWD_ERROR_OUT_OF_MEMORY = -4,
-  AWD_ERROR_UNSUPPORTED = -5, /* not in this build, or a module is not there */
-  AWD_ERROR_CANCELLED = -6,   /* the progress callback said stop; nothing was changed */
-  AWD_ERROR_IO = -7,          /* a file can't be read or written */
-  AWD_ERROR_PLUGIN_LOAD = -8, /* a module can't be opened or has no entry point */
-  AWD_ERROR_PLUGIN_ABI = -9,  /* a module was compiled for another interface */
-  AWD_ERROR_PLUGIN_NAME_TAKEN = -10,
-  AWD_ERROR_PLUGIN_SELF_TEST = -11 /* a module's mathematics is wrong; the message says where */
+  AWD_SUCCESS = 0,                   /* all was done */
+  AWD_ERROR_UNKNOWN = -1,            /* what should not happen: a bug, or Embree's */
+  AWD_ERROR_INVALID_ARGUMENT = -2,   /* a value that the call can't take */
+  AWD_ERROR_INVALID_OPERATION = -3,  /* a call at the wrong time, such as before commit */
+  AWD_ERROR_OUT_OF_MEMORY = -4,      /* by the machine, the host's alloc, or a limit that was set */
+  AWD_ERROR_UNSUPPORTED = -5,        /* not in this build, or a module is not there */
+  AWD_ERROR_CANCELLED = -6,          /* the progress callback said stop; nothing was changed */
+  AWD_ERROR_IO = -7,                 /* a file can't be read or written */
+  AWD_ERROR_PLUGIN_LOAD = -8,        /* a module can't be opened or has no entry point */
+  AWD_ERROR_PLUGIN_ABI = -9,         /* a module was compiled for another interface */
+  AWD_ERROR_PLUGIN_NAME_TAKEN = -10, /* a family of this name is there already */
+  AWD_ERROR_PLUGIN_SELF_TEST = -11   /* a module's mathematics is wrong; the message says where */
 };
 
 /* Handles. All objects of a device share its threads, callbacks and basis registry. */
@@ -88,7 +96,7 @@ typedef struct AWDImageImpl* AWDImage;     /* named float channels and metadata 
 /* How the items of a buffer are laid out; all in the byte order of the machine. */
 typedef int32_t AWDFormat;
 enum {
-  AWD_FORMAT_UNDEFINED = 0,
+  AWD_FORMAT_UNDEFINED = 0,  /* of a buffer that is none */
   AWD_FORMAT_UINT = 0x5001,  /* one uint32_t */
   AWD_FORMAT_UINT3 = 0x5003, /* three uint32_t */
   AWD_FORMAT_FLOAT3 = 0x9003 /* three float */
@@ -98,23 +106,30 @@ enum {
    the last item is read. byteStride 0: packed. data NULL with count 0: no buffer. This struct is
    part of others and never grows. */
 typedef struct AWDBuffer {
-  const void* data;
-  size_t byteOffset;
-  size_t byteStride;
-  size_t count;
-  AWDFormat format;
+  const void* data;  /* NULL: no buffer */
+  size_t byteOffset; /* of item 0 */
+  size_t byteStride; /* from item to item; 0: packed */
+  size_t count;      /* items */
+  AWDFormat format;  /* of an item */
   uint32_t reserved; /* 0 */
 } AWDBuffer;
 
 /* A group of settings. The paper's: Pietrek and Peter 1999 to the letter. */
 typedef int32_t AWDPreset;
-enum { AWD_PRESET_DEFAULT = 0, AWD_PRESET_PAPER = 1 };
+enum {
+  AWD_PRESET_DEFAULT = 0, /* what we found best */
+  AWD_PRESET_PAPER = 1    /* the paper */
+};
 
 /* What a density becomes proportional to: the local mean of |f| (default), or the local
    sqrt(E[f^2]), which is the better one where f is noisy at each point, and learned more slowly. Of
    fields f is what is recorded: random, since it is what one path brought. */
 typedef int32_t AWDTarget;
-enum { AWD_TARGET_DEFAULT = 0, AWD_TARGET_MEAN = 1, AWD_TARGET_RMS = 2 };
+enum {
+  AWD_TARGET_DEFAULT = 0, /* mean */
+  AWD_TARGET_MEAN = 1,    /* |f| */
+  AWD_TARGET_RMS = 2      /* sqrt(E[f^2]) */
+};
 
 /* How coefficients come from the m samples x_i ~ p of values f_i. With S1_j = sum f N_j / p and
    S0_j = sum N_j / p over all samples, weights w_j = int N_j and Gram matrix G:
@@ -133,13 +148,13 @@ enum { AWD_TARGET_DEFAULT = 0, AWD_TARGET_MEAN = 1, AWD_TARGET_RMS = 2 };
    Of a field: lumped, pooled over all passes; paper in the preset of that name. */
 typedef int32_t AWDEstimator;
 enum {
-  AWD_ESTIMATOR_DEFAULT = 0,
-  AWD_ESTIMATOR_PAPER = 1, /* wants AWD_SAMPLER_COMPONENT */
-  AWD_ESTIMATOR_MIXTURE = 2,
-  AWD_ESTIMATOR_RATIO = 3,
-  AWD_ESTIMATOR_QUASI = 4,
-  AWD_ESTIMATOR_REFIT = 5,
-  AWD_ESTIMATOR_LUMPED = 6 /* of fields alone */
+  AWD_ESTIMATOR_DEFAULT = 0, /* as said above */
+  AWD_ESTIMATOR_PAPER = 1,   /* wants AWD_SAMPLER_COMPONENT */
+  AWD_ESTIMATOR_MIXTURE = 2, /* from all samples */
+  AWD_ESTIMATOR_RATIO = 3,   /* weights by their own sum */
+  AWD_ESTIMATOR_QUASI = 4,   /* quasi-interpolation */
+  AWD_ESTIMATOR_REFIT = 5,   /* least squares under bounds, by the refit module */
+  AWD_ESTIMATOR_LUMPED = 6   /* of fields alone */
 };
 
 /* How passes make one result. */
@@ -168,7 +183,11 @@ enum {
 };
 
 /* Severity of a log message. */
-enum { AWD_LOG_INFO = 0, AWD_LOG_WARNING = 1, AWD_LOG_ERROR = 2 };
+enum {
+  AWD_LOG_INFO = 0,    /* what was done */
+  AWD_LOG_WARNING = 1, /* what may not be meant, such as a scene without light */
+  AWD_LOG_ERROR = 2    /* what went wrong, such as a basis that was refused */
+};
 
 /* Takes a message of one line without its line end. May be called from any thread, also from
    several at once; the library holds no lock meanwhile. The text dies with the call. */
