@@ -53,6 +53,8 @@ def text_of(comment):
         else:
             made.append(("  " if item else "") + escape(words))
     if formula:
+        while not made[-1]:
+            made.pop()
         made.append("@endverbatim")
     return "\n".join(made).strip("\n").strip()
 
