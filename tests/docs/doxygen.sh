@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the site of a source folder; fails on a warning, on what is not documented, and on a page or
-# header that is missing in it.
+# Builds the site of a source folder; fails on a warning, on what is not documented, and on a header
+# that is missing in it.
 #   doxygen.sh <doxygen> <source folder> <work folder>
 set -euo pipefail
 doxygen=$1 source=$2 work=$3

@@ -154,8 +154,8 @@ class Driver:
         (stem / "src").mkdir(parents=True)
         (stem / "src/main.rs").write_text(text, encoding="utf-8")
         (stem / "Cargo.toml").write_text(
-            '[package]\nname = "fragment"\nversion = "0.1.0"\nedition = "2021"\n\n'
-            f'[dependencies]\nawd = {{ path = "{self.source}/bindings/rust/awd" }}\n\n[workspace]\n',
+            '[package]\nname = "fragment"\nversion = "0.1.0"\nedition = "2021"\n\n[dependencies]\n'
+            f'awd = {{ path = "{self.source}/bindings/rust/awd" }}\n\n[workspace]\n',
             encoding="utf-8")
         self.run([cargo, "run", "--offline", "--quiet"], stem, fragment)
 
