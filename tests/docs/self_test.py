@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import page_filter
 from doxygen_filter import filtered
 from reference import complaints
 
@@ -128,6 +129,22 @@ class Reference(unittest.TestCase):
         self.assertIn("/** Values of AWDName. */\nenum {", made)
         self.assertIn("AWD_ONE = 1, /**< the first,\non two lines */", made)
         self.assertIn("/** the second */\n\n  AWD_TWO", made)
+
+
+class Links(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "there").mkdir()
+            (Path(folder) / "there/README.md").write_text("# A heading, of `one`\n")
+            page = Path(folder) / "page.md"
+            page.write_text("[a](there) [b](there/README.md#a-heading-of-one) [c](https://away)\n"
+                            "[d](gone.md) [e](there/README.md#gone) [f](page.md) ![g](gone.png)")
+            found = [line.split("[")[1][0] for line in page_filter.complaints(str(page))]
+            self.assertEqual(found, ["d", "e"])
+            (Path(folder) / "source.c").write_text("")
+            self.assertEqual(
+                page_filter.filtered(str(page), "[a](there) [b](there/README.md#one) [s](source.c)"),
+                "[a](there/README.md) [b](there/README.md) s")
 
 
 if __name__ == "__main__":

@@ -290,11 +290,34 @@ static void checkThreadsAndParts(void) {
   finish(one);
 }
 
-static void checkFurnace(void) {
-  Renderer* r = start(4, 1.0f);
+static void checkFurnace(int recursive) {
+  Renderer* r = start(4, 0.7f);
   float mean = 0.0f;
+  r->recursive = recursive;
   need(furnace(r, 2, &mean));
   CHECK(fabsf(mean - 2.0f) < 0.02f);
+  finish(r);
+}
+
+/* One chosen shadow ray has the mean of one to each light; what a single ray brings varies little.
+ */
+static void checkLights(void) {
+  enum { RAYS = 4000 };
+  const float position[3] = {3.2f, 2.5f, 3.3f}, normal[3] = {0.0f, -1.0f, 0.0f};
+  const Hit ceiling = {1, {3.2f, 2.5f, 3.3f}, {0.0f, -1.0f, 0.0f}};
+  Renderer* r = start(6, 1.0f);
+  double chosen = 0.0, all = 0.0;
+  uint32_t patch;
+  int i;
+  need(awdFindPatch(r->field, position, normal, &patch));
+  for (i = 0; i < RAYS; ++i) {
+    Vector direct;
+    if (i == RAYS / 2) need(awdAdaptField(r->field, NULL));
+    need(shadowRay(r, &ceiling, patch, &direct));
+    chosen += (double)luminance(direct);
+    all += (double)luminance(add(sampleLight(r, &ceiling, 0), sampleLight(r, &ceiling, 1)));
+  }
+  CHECK(all > 0.0 && fabs(chosen / all - 1.0) < 0.05);
   finish(r);
 }
 
@@ -332,7 +355,9 @@ int main(void) {
   checkUnbiased(0, 0.8f);
   checkUnbiased(1, 1.0f);
   checkThreadsAndParts();
-  checkFurnace();
+  checkFurnace(0);
+  checkFurnace(1);
+  checkLights();
   checkWave();
   awdReleaseDevice(device);
   return 0;
