@@ -7,10 +7,9 @@
  *  - Every call that can fail returns AWDResult. Outputs go through pointers; a handle output is
  *    NULL after a failure. The reason is in awdGetLastErrorMessage().
  *  - Any call may return AWD_ERROR_INVALID_ARGUMENT (NULL where that is not allowed, a number out
- *    of its range), AWD_ERROR_OUT_OF_MEMORY, and AWD_ERROR_UNKNOWN, which is a bug of ours; what
+ *    of its range), AWD_ERROR_OUT_OF_MEMORY, and AWD_ERROR_UNKNOWN, which should not happen; what
  *    works in parallel also AWD_ERROR_INVALID_OPERATION, when the host's parallelFor has not run
- *    every task once. All others are named at the function. A call that fails changes nothing,
- *    unless it says so.
+ *    every task once. All others are named at the function.
  *  - New gives the caller one reference; Retain adds one, Release drops one; both accept NULL.
  *    A child (a scene of a device, a render of a scene) keeps its parents alive.
  *  - Descriptions start with structSize, which their ..._INIT macro sets. They only ever grow at

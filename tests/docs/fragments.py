@@ -21,6 +21,7 @@ from page import PageError, fragments
 
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1"]
 STANDARD = {"c": "-std=c99", "cpp": "-std=c++17"}
+MARK = re.compile(r"^ *(/\*|//|#|--) @(\w+)( \*/)?\n", re.M)
 HERE = Path(__file__).resolve().parent
 LIMIT = 300  # seconds
 
@@ -110,19 +111,22 @@ class Driver:
         if not path.is_file():
             parts[0].fail(f"there is no tests/docs/frames/{frame}")
         text = path.read_text(encoding="utf-8")
-        places = re.findall(r"^/\* @(\w+) \*/$", text, re.M)
+        marks = {mark.group(2): mark.group(0) for mark in MARK.finditer(text)}
+        lines = {place: text[:text.index(mark)].count("\n") + 2 for place, mark in marks.items()}
         for piece in parts:
-            if piece.directive[2] not in places:
+            if piece.directive[2] not in marks:
                 piece.fail(f"{frame} has no place {piece.directive[2]}")
-        for place in places:
+        for place, mark in marks.items():
             here = [self.placed(piece) for piece in parts if piece.directive[2] == place]
             if not here:
                 parts[0].fail(f"nothing goes to {place} of {frame}")
-            mark = f"/* @{place} */\n"
-            line = text[:text.index(mark)].count("\n") + 2
-            text = text.replace(mark, "".join(here) + f'#line {line} "{frame}"\n')
+            if parts[0].language in STANDARD:
+                here.append(f'#line {lines[place]} "{frame}"\n')
+            text = text.replace(mark, "".join(here))
         extra = re.findall(r"^ \* sources: (.*)$", text, re.M)
-        self.program(parts[0], f'#line 1 "{frame}"\n{text}',
+        if parts[0].language in STANDARD:
+            text = f'#line 1 "{frame}"\n{text}'
+        self.program(parts[0], text,
                      [str(self.source / name) for line in extra for name in line.split()])
 
     def program(self, fragment, text, sources=()):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The code fragments of a Markdown page, and what an HTML comment before one says of it:
 
-  <!-- test: in FRAME at PLACE -->  goes to the line /* @PLACE */ of tests/docs/frames/FRAME, with
-                                    all others of the page that go there, and is a part of that
-                                    program
+  <!-- test: in FRAME at PLACE -->  goes to the line /* @PLACE */ (or // @PLACE, as comments of the
+                                    language are) of tests/docs/frames/FRAME, with all others of
+                                    the page that go there, and is a part of that program
   <!-- test: continues -->          goes on with the last program of its language on the page
   <!-- test: file NAME -->          is that file, for fragments after it
   <!-- test: not run: REASON -->    is not run, but a shell's grammar is checked
@@ -17,7 +17,7 @@ FORMS = [re.compile(form) for form in (
     r"(in) (\S+) at (\S+)", r"(continues)", r"(file) (\S+)", r"(not run): (\S.*)")]
 
 # Fences of these are no code.
-PROSE = {"", "text", "json"}
+PROSE = {"", "text", "json", "toml"}
 CODE = {"c", "cpp", "sh", "cmake", "python", "rust", "lua"}
 
 
