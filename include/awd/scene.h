@@ -114,7 +114,7 @@ typedef struct AWDSceneInfo {
 AWD_EXPORT AWDResult AWD_CALL awdGetSceneInfo(AWDScene scene, AWDSceneInfo* info) AWD_NOEXCEPT;
 
 /* --- queries ----------------------------------------------------------------------------------
-   Of a committed scene; AWD_ERROR_INVALID_OPERATION if it is not. */
+   Of a scene as it was last committed; AWD_ERROR_INVALID_OPERATION if it never was. */
 
 /* A ray o + t d, tnear <= t <= tfar; d need not be a unit vector. This struct never grows. */
 typedef struct AWDRay {
@@ -136,22 +136,24 @@ typedef struct AWDHit {
   uint32_t patch;    /* with AWD_PATCH_BACK if met on the back side */
 } AWDHit;
 
-/* First hits of `count` rays. Free, but not while the scene is committed. */
+/* First hits of `count` rays. AWD_ERROR_INVALID_OPERATION before commit. Free, but not during it.
+ */
 AWD_EXPORT AWDResult AWD_CALL awdIntersect(AWDScene scene, const AWDRay* rays, size_t count,
                                            AWDHit* hits) AWD_NOEXCEPT;
 
-/* Whether anything lies on each of `count` rays: 1 or 0. Free, but not while the scene is
-   committed. */
+/* Whether anything lies on each of `count` rays: 1 or 0. AWD_ERROR_INVALID_OPERATION before commit.
+   Free, but not during it. */
 AWD_EXPORT AWDResult AWD_CALL awdOccluded(AWDScene scene, const AWDRay* rays, size_t count,
                                           uint8_t* occluded) AWD_NOEXCEPT;
 
 /* The patch of a triangle: front side, or back side if `back` is not 0. AWD_INVALID_ID for one
-   without area. Free, but not while the scene is committed. */
+   without area. AWD_ERROR_INVALID_OPERATION before commit. Free, but not during it. */
 AWD_EXPORT AWDResult AWD_CALL awdGetTrianglePatch(AWDScene scene, uint32_t mesh, uint32_t triangle,
                                                   int32_t back, uint32_t* patch) AWD_NOEXCEPT;
 
 /* The patch of the triangle nearest to a point, on the side where the point is (front if it lies
-   in the plane). AWD_INVALID_ID in an empty scene. Free, but not while the scene is committed. */
+   in the plane). AWD_INVALID_ID in an empty scene. AWD_ERROR_INVALID_OPERATION before commit.
+   Free, but not during it. */
 AWD_EXPORT AWDResult AWD_CALL awdGetPointPatch(AWDScene scene, const float point[3],
                                                uint32_t* patch) AWD_NOEXCEPT;
 

@@ -5,8 +5,8 @@
   doxygen_filter.py HEADER, the result on standard output
 
 A comment on lines of its own documents what follows it: one declaration, or several of functions,
-types or macros up to an empty line. One after code documents that code, and the first of a file the
-file. What no header need say again is said here: of structSize, of the ..._INIT macros, of the
+types or macros up to an empty line. One after code documents that code; the first of a file, and
+those that begin with dashes, the file. What no header need say again is said here: of structSize, of the ..._INIT macros, of the
 values of a named type, and what a result means.
 """
 import re
@@ -83,8 +83,13 @@ def filtered(source):
             body = rest.rsplit("*/", 1)[0]
             if first:
                 made.append(f"/** @file\n{text_of(body)} */")
+            elif body.startswith(" ---"):
+                comment = ""
+                title, _, words = body.strip(" -").partition("\n")
+                if words:
+                    made.append(f"/** @file\n@par {title.strip(' -')}\n{text_of(words)} */")
             else:
-                comment = "" if body.startswith(" ---") else text_of(body)
+                comment = text_of(body)
             first, shared = False, comment
             continue
         if not words:
