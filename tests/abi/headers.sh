@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Every public header compiles alone, twice in a row, in one language with one compiler; and so
-# does every ..._INIT macro.
+# does every ..._INIT macro. Those of C++ want C++17, and compile with exceptions and without.
 #   headers.sh <compiler> <c99|c++17|...> <include folder>
 set -euo pipefail
 compiler=$1 standard=$2 include=$3
@@ -9,19 +9,37 @@ compiler=$1 standard=$2 include=$3
 language=c flags=(-Wstrict-prototypes)
 if [[ $standard == c++* ]]; then language=c++ flags=(); fi
 
+# compile FLAG...: what is on stdin.
 compile() {
   "$compiler" "-std=$standard" -x "$language" -fsyntax-only -pedantic -Wall -Wextra -Werror \
-    "${flags[@]}" -I "$include" -
+    "${flags[@]}" "$@" -I "$include" -
+}
+# alone NAME FLAG...: a header by itself.
+alone() {
+  printf '#include "%s"\n#include "%s"\nint main(void) { return 0; }\n' "$1" "$1" |
+    compile "${@:2}" || { echo "$1 does not compile alone as $standard with $compiler"; exit 1; }
 }
 
 headers=0
 for header in "$include"/awd/*.h; do
-  name=awd/${header##*/}
-  printf '#include "%s"\n#include "%s"\nint main(void) { return 0; }\n' "$name" "$name" | compile ||
-    { echo "$name does not compile alone as $standard with $compiler"; exit 1; }
+  alone "awd/${header##*/}"
   headers=$((headers + 1))
 done
 [[ $headers -ge 7 ]] || { echo "only $headers headers in $include/awd"; exit 1; }
+
+if [[ $language == c++ && $standard != c++11 ]]; then
+  for mode in -fexceptions -fno-exceptions; do
+    alone awd/awd.hpp -Wshadow -Wconversion -Wsign-conversion "$mode"
+  done
+fi
+if [[ $standard == c++17 ]]; then
+  headers=0
+  for header in "$include"/awd/cpp/*.hpp; do
+    alone "awd/cpp/${header##*/}"
+    headers=$((headers + 1))
+  done
+  [[ $headers -ge 7 ]] || { echo "only $headers headers in $include/awd/cpp"; exit 1; }
+fi
 
 # A macro's form for C++ begins with the name of its type.
 macros=0
