@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "awd/basis.h"
-#include "awd_handles.hpp"
 #include "commands.h"
 #include "device.h"
 #include "failure.h"
@@ -19,14 +18,6 @@ struct BasesOptions {
   DeviceOptions device;
   bool json = false;
 };
-
-std::vector<AWDBasisInfo> listBases(const Device& device) {
-  std::size_t count = 0;
-  check(awdGetBasisCount(device.get(), &count));
-  std::vector<AWDBasisInfo> bases(count, AWDBasisInfo(AWD_BASIS_INFO_INIT));
-  for (std::size_t i = 0; i < count; ++i) check(awdGetBasisInfo(device.get(), i, &bases[i]));
-  return bases;
-}
 
 void printJson(const std::vector<AWDBasisInfo>& bases) {
   json usable = json::array(), rejected = json::array();
@@ -44,7 +35,7 @@ void printJson(const std::vector<AWDBasisInfo>& bases) {
     } else {
       rejected.push_back({{"name", basis.name},
                           {"file", basis.file},
-                          {"result", awdGetResultString(basis.status)},
+                          {"result", awd::resultString(basis.status)},
                           {"reason", basis.message}});
     }
   }
@@ -62,15 +53,15 @@ void printText(const std::vector<AWDBasisInfo>& bases) {
                   basis.flags & AWD_BASIS_NESTED ? ", nested" : "");
     } else {
       std::printf("rejected: %s\n  %s\n  %s: %s\n", *basis.name ? basis.name : "(no name)",
-                  basis.file, awdGetResultString(basis.status), basis.message);
+                  basis.file, awd::resultString(basis.status), basis.message);
     }
   }
   if (bases.empty()) std::puts("There are no bases.");
 }
 
 int list(const BasesOptions& options) {
-  const Device device = openDevice(options.device);
-  const std::vector<AWDBasisInfo> bases = listBases(device);
+  const awd::Device device = openDevice(options.device);
+  const std::vector<AWDBasisInfo> bases = device.bases();
   options.json ? printJson(bases) : printText(bases);
   return kDone;
 }

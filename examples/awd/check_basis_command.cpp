@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "awd/awd.h"
+#include "awd/awd.hpp"
 #include "commands.h"
 #include "failure.h"
 
@@ -14,12 +14,7 @@ namespace {
 /// A line for every check, below the name of its family.
 class Table {
  public:
-  static void AWD_CALL print(void* table, const AWDBasisCheck* check) {
-    static_cast<Table*>(table)->print(*check);
-  }
-
- private:
-  void print(const AWDBasisCheck& check) {
+  void operator()(const AWDBasisCheck& check) {
     if (family_ != static_cast<int64_t>(check.index)) {
       family_ = check.index;
       std::printf("%s%s\n  %-20s %10s %10s\n", check.index > 0 ? "\n" : "",
@@ -30,12 +25,12 @@ class Table {
     if (check.status != AWD_SUCCESS) std::printf("    %s\n", check.message);
   }
 
+ private:
   int64_t family_ = -1;
 };
 
 int checkBasis(const std::string& file) {
-  Table table;
-  check(awdCheckBasisModule(std::filesystem::absolute(file).c_str(), Table::print, &table));
+  awd::checkBasisModule(std::filesystem::absolute(file), Table());
   return kDone;
 }
 

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "awd_handles.hpp"
 #include "commands.h"
 #include "console.h"
 #include "device.h"
@@ -21,17 +20,17 @@ struct CompareOptions {
 };
 
 /// Channels R G B of a file; all its pixels must be finite.
-RgbImage readRgb(const Device& device, const std::string& path) {
-  Image file;
-  check(awdReadImage(device.get(), path.c_str(), file.out()));
+RgbImage readRgb(const awd::Device& device, const std::string& path) {
+  const awd::Image file = awd::Image::read(device, path);
   RgbImage image;
-  check(awdGetImageInfo(file.get(), &image.width, &image.height, nullptr));
+  image.width = file.info().width;
+  image.height = file.info().height;
   image.values.resize(std::size_t{3} * image.width * image.height);
   const char* const channels[] = {"R", "G", "B"};
   for (std::size_t c = 0; c < 3; ++c) {
-    check(awdGetImageChannel(file.get(), channels[c], image.values.data() + c, 3 * sizeof(float),
-                             std::size_t{3} * image.width * sizeof(float)),
-          path);
+    const awd::ChannelPixels pixels(image.values.data() + c, image.width, image.height,
+                                    3 * sizeof(float));
+    named(path, [&] { file.readChannel(channels[c], pixels); });
   }
   if (const std::size_t bad = countNonFinite(image)) {
     throw Failure(path + ": " + std::to_string(bad) + " of " +
@@ -72,7 +71,7 @@ void printText(const Metrics& metrics) {
 }
 
 int compare(const CompareOptions& options) {
-  const Device device = openDevice();
+  const awd::Device device = openDevice();
   RgbImage image = readRgb(device, options.image);
   RgbImage reference = readRgb(device, options.reference);
   matchSizes(options, image, reference);

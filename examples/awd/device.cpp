@@ -4,18 +4,17 @@
 #include <filesystem>
 
 #include "console.h"
-#include "failure.h"
 
 namespace command {
 namespace {
 
-void AWD_CALL onLog(void*, int32_t severity, const char* message) {
+constexpr auto kLog = [](int32_t severity, const char* message) {
   if (severity >= AWD_LOG_WARNING) warn(message);
-}
+};
 
 }  // namespace
 
-Device openDevice(const DeviceOptions& options, ProgressBar* bar) {
+awd::Device openDevice(const DeviceOptions& options, ProgressBar* bar) {
   std::vector<std::string> absolute;
   for (const std::string& path : options.basisPaths) {
     absolute.push_back(std::filesystem::absolute(path).string());
@@ -24,16 +23,12 @@ Device openDevice(const DeviceOptions& options, ProgressBar* bar) {
   paths.reserve(absolute.size());
   for (const std::string& path : absolute) paths.push_back(path.c_str());
 
-  AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
+  awd::DeviceDesc desc;
   desc.threads = options.threads;
-  desc.log = onLog;
-  if (bar) desc.progress = ProgressBar::callback;
-  desc.progressUser = bar;
-  desc.basisPaths = paths.data();
-  desc.basisPathCount = paths.size();
-  Device device;
-  check(awdNewDevice(&desc, device.out()));
-  return device;
+  desc.setLog(kLog);
+  if (bar) desc.setProgress(*bar);
+  desc.setBasisPaths(paths);
+  return awd::Device::create(desc);
 }
 
 }  // namespace command

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "awd_handles.hpp"
+#include "awd/awd.hpp"
 #include "progress_bar.h"
 
 namespace command {
@@ -18,6 +18,6 @@ struct DeviceOptions {
 };
 
 /// Warnings of the library become ours. bar may be null; it must outlive the device.
-Device openDevice(const DeviceOptions& options = {}, ProgressBar* bar = nullptr);
+awd::Device openDevice(const DeviceOptions& options = {}, ProgressBar* bar = nullptr);
 
 }  // namespace command

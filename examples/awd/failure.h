@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "awd/awd.h"
+#include "awd/awd.hpp"
 
 namespace command {
 
@@ -21,8 +21,15 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws the library's message as a Failure, after "what: " unless that is empty.
-void check(AWDResult result, const std::string& what = "");
+/// What `call` returns; if it fails, a Failure of the library's message after "what: ".
+template <class Call>
+auto named(const std::string& what, Call&& call) {
+  try {
+    return call();
+  } catch (const awd::Error& error) {
+    throw Failure(what + ": " + error.what());
+  }
+}
 
 /// A text in double quotes.
 std::string inQuotes(const std::string& text);

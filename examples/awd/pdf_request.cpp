@@ -19,16 +19,8 @@ bool takeNumber(std::string_view& text, uint32_t& number) {
   return error == std::errc();
 }
 
-bool hasPatch(const Scene& scene, uint32_t patch) {
-  AWDSceneInfo info = AWD_SCENE_INFO_INIT;
-  check(awdGetSceneInfo(scene.get(), &info));
-  return patch < info.patches;
-}
-
-AWDPatchInfo patchInfo(const Field& field, uint32_t patch) {
-  AWDPatchInfo info = AWD_PATCH_INFO_INIT;
-  check(awdGetPatchInfo(field.get(), patch, &info));
-  return info;
+bool hasLearned(const awd::Field& field, uint32_t patch) {
+  return field.patchInfo(patch).learned > 0;
 }
 
 std::string describe(uint32_t patch, bool spatial) {
@@ -59,37 +51,32 @@ PdfRequest::PdfRequest(const std::string& text) : text_("--pdf " + text) {
   file_ = rest.substr(1);
 }
 
-void PdfRequest::resolve(const Scene& scene, const Render& render, bool spatial) {
+void PdfRequest::resolve(const awd::Scene& scene, awd::Render& render, bool spatial) {
   spatial_ = spatial;
   if (kind_ == kPixel) {
-    uint32_t width = 0, height = 0;
-    check(awdGetFilmInfo(render.get(), &width, &height, nullptr));
-    if (x_ >= width || y_ >= height) {
-      throw UsageError(text_ + ": the image has " + std::to_string(width) + " x " +
-                       std::to_string(height) + " pixels");
+    const awd::FilmInfo film = render.filmInfo();
+    if (x_ >= film.width || y_ >= film.height) {
+      throw UsageError(text_ + ": the image has " + std::to_string(film.width) + " x " +
+                       std::to_string(film.height) + " pixels");
     }
-    check(awdGetPixelPatch(render.get(), x_, y_, &patch_));
+    patch_ = render.pixelPatch(x_, y_);
     if (patch_ == AWD_INVALID_ID) throw UsageError(text_ + ": nothing is seen in that pixel");
     return;
   }
   if (spatial) return;  // what numbers there will be is not known yet
-  if (!hasPatch(scene, patch_)) throw UsageError(text_ + ": the scene has no such patch");
+  if (patch_ >= scene.info().patches) throw UsageError(text_ + ": the scene has no such patch");
   if (kind_ == kBackSide) patch_ |= AWD_PATCH_BACK;
 }
 
-void PdfRequest::write(const Render& render, const Field& field) const {
-  uint32_t patch = patch_;
-  if (kind_ == kPixel) check(awdGetPixelPatch(render.get(), x_, y_, &patch));
-  if (kind_ == kEitherSide && !spatial_ && patchInfo(field, patch).learned == 0 &&
-      patchInfo(field, patch | AWD_PATCH_BACK).learned > 0) {
+void PdfRequest::write(const awd::Render& render, const awd::Field& field) const {
+  uint32_t patch = kind_ == kPixel ? render.pixelPatch(x_, y_) : patch_;
+  if (kind_ == kEitherSide && !spatial_ && !hasLearned(field, patch) &&
+      hasLearned(field, patch | AWD_PATCH_BACK)) {
     patch |= AWD_PATCH_BACK;
   }
-  const bool learned = patchInfo(field, patch).learned > 0;
   note(file_ + ": " + describe(patch, spatial_) +
-       (learned ? "" : ", which has learned nothing: its start density"));
-  Image image;
-  check(awdNewPatchImage(field.get(), patch, kImageSize, image.out()));
-  check(awdWriteImagePNG(image.get(), file_.c_str(), nullptr));
+       (hasLearned(field, patch) ? "" : ", which has learned nothing: its start density"));
+  awd::Image::ofPatch(field, patch, kImageSize).writePNG(file_);
 }
 
 }  // namespace command

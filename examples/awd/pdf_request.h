@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "awd_handles.hpp"
+#include "awd/awd.hpp"
 
 namespace command {
 
@@ -19,11 +19,11 @@ class PdfRequest {
 
   /// Finds the patch, before any work is done. Throws a UsageError if there is none. spatial:
   /// patches are the library's, so that only pixels can be told from one another yet.
-  void resolve(const Scene& scene, const Render& render, bool spatial);
+  void resolve(const awd::Scene& scene, awd::Render& render, bool spatial);
 
   /// Writes the picture. If no side was asked for it shows the front side, or the back side if
   /// that alone has learned, and notes which.
-  void write(const Render& render, const Field& field) const;
+  void write(const awd::Render& render, const awd::Field& field) const;
 
  private:
   std::string text_, file_;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 
-#include "awd_handles.hpp"
 #include "commands.h"
 #include "device.h"
 #include "failure.h"
@@ -19,12 +18,9 @@ struct PngOptions {
 
 int convert(const PngOptions& options) {
   checkWritable(options.output);
-  const Device device = openDevice();
-  Image image;
-  check(awdReadImage(device.get(), options.film.c_str(), image.out()));
-  AWDPNGDesc desc = AWD_PNG_DESC_INIT;
+  awd::PNGDesc desc;
   desc.exposure = options.exposure;
-  check(awdWriteImagePNG(image.get(), options.output.c_str(), &desc));
+  awd::Image::read(openDevice(), options.film).writePNG(options.output, desc);
   return kDone;
 }
 

@@ -26,14 +26,13 @@ std::string ProgressBar::line(const AWDProgress& progress) {
          std::to_string(percent) + " % " + operation;
 }
 
-int32_t AWD_CALL ProgressBar::callback(void* user, const AWDProgress* progress) {
-  ProgressBar& bar = *static_cast<ProgressBar*>(user);
+bool ProgressBar::operator()(const AWDProgress& progress) {
   if (hasTerminal()) {
-    const std::string line = bar.line(*progress);
+    const std::string text = line(progress);
     const auto now = std::chrono::steady_clock::now();
-    if (now - bar.shown_ > std::chrono::milliseconds(100)) {
-      bar.shown_ = now;
-      showStatus(line);
+    if (now - shown_ > std::chrono::milliseconds(100)) {
+      shown_ = now;
+      showStatus(text);
     }
   }
   return !wasInterrupted();

@@ -15,8 +15,8 @@ class ProgressBar {
   /// passes: how many there will be; 0: not known.
   void setPassCount(std::size_t passes) { passes_ = passes; }
 
-  /// For AWDDeviceDesc::progress; user is a ProgressBar.
-  static int32_t AWD_CALL callback(void* user, const AWDProgress* progress);
+  /// For awd::DeviceDesc::setProgress().
+  bool operator()(const AWDProgress& progress);
 
   /// Follows the operation; the line to be shown for it.
   std::string line(const AWDProgress& progress);

@@ -18,11 +18,9 @@ const std::vector<std::string> kEstimators = {"default", "paper", "mixture", "ra
 /// In the order of AWD_QUALITY_..., which begin with 1.
 const std::vector<std::string> kQualities = {"draft", "normal", "fine", "reference"};
 
-AWDSchedule scheduleOf(const std::string& quality) {
+awd::Schedule scheduleOf(const std::string& quality) {
   const auto found = std::find(kQualities.begin(), kQualities.end(), quality);
-  AWDSchedule schedule = AWD_SCHEDULE_INIT;
-  check(awdGetQualitySchedule(static_cast<AWDQuality>(found - kQualities.begin() + 1), &schedule));
-  return schedule;
+  return awd::qualitySchedule(static_cast<AWDQuality>(found - kQualities.begin() + 1));
 }
 
 }  // namespace
@@ -134,7 +132,7 @@ void RenderOptions::finish() {
                       : samples ? "samples"
                                 : "error"));
     }
-    const AWDSchedule limits = scheduleOf(*quality);
+    const awd::Schedule limits = scheduleOf(*quality);
     schedule.totalSamples = limits.totalSamples;
     schedule.error = limits.error;
   }

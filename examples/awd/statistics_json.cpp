@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "statistics_json.h"
 
-#include "failure.h"
-
 namespace command {
 
 using nlohmann::json;
@@ -20,27 +18,20 @@ json toJson(const AWDPassStatistics& statistics) {
           {"rejected_samples", statistics.rejectedSamples}};
 }
 
-json renderStatistics(const Render& render) {
-  AWDPassStatistics statistics = AWD_PASS_STATISTICS_INIT;
-  uint32_t count = 0;
-  check(awdGetPassCount(render.get(), &count));
+json renderStatistics(awd::Render& render) {
   json passes = json::array();
-  for (uint32_t i = 0; i < count; ++i) {
-    check(awdGetPassStatistics(render.get(), i, &statistics));
-    passes.push_back(toJson(statistics));
-  }
-  check(awdGetRenderStatistics(render.get(), &statistics));
-  json all = {{"passes", passes}, {"total", toJson(statistics)}};
-  if (statistics.samplesPerPixel < 2) return all;
-  AWDRenderError error = AWD_RENDER_ERROR_INIT;
-  check(awdGetRenderError(render.get(), &error));
+  const uint32_t count = render.passCount();
+  for (uint32_t i = 0; i < count; ++i) passes.push_back(toJson(render.passStatistics(i)));
+  const AWDPassStatistics total = render.statistics();
+  json all = {{"passes", passes}, {"total", toJson(total)}};
+  if (total.samplesPerPixel < 2) return all;
+  const AWDRenderError error = render.error();
   all["error"] = {{"relative", error.error}, {"lower", error.lower}, {"upper", error.upper}};
   return all;
 }
 
-json refitStatistics(const Field& field) {
-  AWDFieldStatistics statistics = AWD_FIELD_STATISTICS_INIT;
-  check(awdGetFieldStatistics(field.get(), &statistics));
+json refitStatistics(awd::Field& field) {
+  const AWDFieldStatistics statistics = field.statistics();
   return {{"failed", statistics.refitFailed},
           {"limited", statistics.refitLimited},
           {"iterations", statistics.refitIterations}};

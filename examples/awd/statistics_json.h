@@ -4,17 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "awd_handles.hpp"
+#include "awd/awd.hpp"
 
 namespace command {
 
 nlohmann::json toJson(const AWDPassStatistics& statistics);
 
 /// {"passes": [...], "total": {...}} of the passes that have ended.
-nlohmann::json renderStatistics(const Render& render);
+nlohmann::json renderStatistics(awd::Render& render);
 
 /// {"failed": ..., "limited": ..., "iterations": ...} of the last time that the field adapted.
-nlohmann::json refitStatistics(const Field& field);
+nlohmann::json refitStatistics(awd::Field& field);
 
 /// Indented text that ends in a newline; bytes that are no UTF-8 are replaced.
 std::string toText(const nlohmann::json& value);

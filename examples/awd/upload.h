@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "awd_handles.hpp"
+#include "awd/awd.hpp"
 #include "scene_data.h"
 
 namespace command {
 
 /// Uploads without committing: materials and meshes get the numbers that they have in `data`,
 /// whose buffers must live until the commit. Failures name `file`, and the material.
-Scene uploadScene(const Device& device, const SceneData& data, const std::string& file);
+awd::Scene uploadScene(const awd::Device& device, const SceneData& data, const std::string& file);
 
 }  // namespace command

@@ -29,6 +29,7 @@
 #include "awd/cpp/render.hpp"
 #include "awd/cpp/scene.hpp"
 #include "awd/cpp/settings.hpp"
+#include "awd/cpp/summands.hpp"
 #include "awd/cpp/view.hpp"
 
 #endif

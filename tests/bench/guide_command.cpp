@@ -21,10 +21,9 @@ guide::Contender contender(const std::string& name) {
   const guide::Method& method = guide::methodNamed(name);
   Settings settings;
   method.change(settings);
-  return {method.name, [settings](const command::Device&, const LoadedScene& loaded,
-                                  uint32_t samples, uint64_t seed, Shot& shot) {
-            return shoot(loaded, settings, samples, seed, shot);
-          }};
+  return {method.name,
+          [settings](const awd::Device&, const LoadedScene& loaded, uint32_t samples, uint64_t seed,
+                     Shot& shot) { return shoot(loaded, settings, samples, seed, shot); }};
 }
 
 }  // namespace

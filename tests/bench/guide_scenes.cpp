@@ -84,7 +84,7 @@ class Comparison {
   const std::vector<Contender>& contenders_;
   Report& report_;
   Cancelled cancelled_;
-  command::Device device_;
+  awd::Device device_;
 };
 
 }  // namespace
@@ -101,7 +101,7 @@ SceneFiles chosenScenes(const Options& options) {
   return chosen;
 }
 
-std::optional<LoadedScene> loadChosen(const command::Device& device, const Options& options,
+std::optional<LoadedScene> loadChosen(const awd::Device& device, const Options& options,
                                       const std::string& name, const std::string& file) {
   std::optional<Reference> reference;
   if (!options.references.empty()) {

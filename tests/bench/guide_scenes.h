@@ -28,7 +28,7 @@ struct Options {
 struct Contender {
   std::string name;
   /// One image, from nothing learned on. False: cancelled.
-  std::function<bool(const command::Device& device, const LoadedScene& loaded, uint32_t samples,
+  std::function<bool(const awd::Device& device, const LoadedScene& loaded, uint32_t samples,
                      uint64_t seed, Shot& shot)>
       shoot;
 };
@@ -37,7 +37,7 @@ struct Contender {
 std::map<std::string, std::string> chosenScenes(const Options& options);
 
 /// One of them, with its reference. None: left out for want of one, which is said, or cancelled.
-std::optional<LoadedScene> loadChosen(const command::Device& device, const Options& options,
+std::optional<LoadedScene> loadChosen(const awd::Device& device, const Options& options,
                                       const std::string& name, const std::string& file);
 
 /// Renders, the baseline first, and reports each row as soon as it has its last seed. False:

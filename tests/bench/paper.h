@@ -25,7 +25,7 @@ struct Options {
 
 struct Study {
   const Options& options;
-  const command::Device& device;
+  const awd::Device& device;
   ReportSection section;
   std::vector<Row> rows;
 };

@@ -44,7 +44,7 @@ int run(const paper::Options& options) {
   std::filesystem::create_directories(options.folder);
   command::checkWritable((std::filesystem::path(options.folder) / "paper.json").string());
   command::catchInterrupt();
-  const command::Device device = newRenderDevice(options.threads, command::wasInterrupted);
+  const awd::Device device = newRenderDevice(options.threads, command::wasInterrupted);
   paper::Study study = {options, device, ReportSection("paper", "Pietrek and Peter 1999"), {}};
   study.section.paragraph(
       "The paper that the library begins with. It guides a path tracer by densities in a basis of "

@@ -48,7 +48,7 @@ command::Mesh cutMesh(const command::Mesh& mesh, uint32_t n) {
 
 }  // namespace
 
-LoadedScene cutScene(const command::Device& device, const LoadedScene& whole, uint32_t n) {
+LoadedScene cutScene(const awd::Device& device, const LoadedScene& whole, uint32_t n) {
   command::SceneData data = command::loadScene(whole.file);
   for (command::Mesh& mesh : data.meshes) mesh = cutMesh(mesh, n);
   LoadedScene loaded;

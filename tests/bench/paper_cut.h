@@ -7,6 +7,6 @@
 namespace bench::paper {
 
 /// The same surfaces, camera and reference; each triangle is n x n equal ones.
-LoadedScene cutScene(const command::Device& device, const LoadedScene& whole, uint32_t n);
+LoadedScene cutScene(const awd::Device& device, const LoadedScene& whole, uint32_t n);
 
 }  // namespace bench::paper

@@ -28,7 +28,7 @@ Direction towards(Vec3 v) {
 
 }  // namespace
 
-LoadedScene floorUnderLamp(const command::Device& device, uint32_t width) {
+LoadedScene floorUnderLamp(const awd::Device& device, uint32_t width) {
   awdtest::SceneBuilder builder;
   const uint32_t floor = builder.material(awdtest::grey(kAlbedo));
   const uint32_t lamp = builder.material(awdtest::grey(0.0), awdtest::grey(kEmission));
@@ -39,7 +39,7 @@ LoadedScene floorUnderLamp(const command::Device& device, uint32_t width) {
   loaded.name = "floor";
   awdtest::Scene scene = builder.commit(device.get());
   awdRetainScene(scene);
-  *loaded.scene.out() = scene;
+  loaded.scene = awd::Scene::adopt(scene);
   loaded.camera.eye[1] = 0.98f;
   loaded.camera.lookDir[1] = -1.0f;
   loaded.camera.lookDir[2] = 0.0f;

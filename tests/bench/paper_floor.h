@@ -10,7 +10,7 @@ namespace bench::paper {
 constexpr double kLampSide = 0.06;
 
 /// Seen from just below the lamp, so that nothing hides the floor. No reference.
-LoadedScene floorUnderLamp(const command::Device& device, uint32_t width);
+LoadedScene floorUnderLamp(const awd::Device& device, uint32_t width);
 
 /// The patch that the floor is.
 uint32_t floorPatch(const LoadedScene& floor);

@@ -67,7 +67,7 @@ std::vector<Row> measureScenes(const std::vector<Method>& methods, SceneOptions 
     options.seeds = 2;
   }
   // One thread: CPU time of what is measured and of nothing else.
-  const command::Device device = newRenderDevice(1, cancelled);
+  const awd::Device device = newRenderDevice(1, cancelled);
   std::vector<Guided> all = {{"", nullptr}};
   for (const char* basis : kBases) {
     for (const Method& method : methods) all.push_back({basis, &method});

@@ -54,16 +54,15 @@ Spread ratioSpread(const std::vector<double>& ratios) {
 
 }  // namespace
 
-command::Device newRenderDevice(uint32_t threads, Cancelled cancelled) {
+awd::Device newRenderDevice(uint32_t threads, Cancelled cancelled) {
   AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;
   desc.threads = threads;
   desc.progress = [](void* user, const AWDProgress*) -> int32_t {
     return reinterpret_cast<Cancelled>(user)() ? 0 : 1;
   };
   desc.progressUser = reinterpret_cast<void*>(cancelled);
-  command::Device device;
-  must(awdNewDevice(&desc, device.out()));
-  must(awdLoadBasisModule(device.get(), AWD_BENCH_CUBIC));
+  awd::Device device = awd::Device::create(desc);
+  device.loadBasisModule(AWD_BENCH_CUBIC);
   return device;
 }
 
@@ -84,8 +83,8 @@ std::map<std::string, std::string> sceneFiles(const std::string& moreScenes) {
   return files;
 }
 
-LoadedScene loadScene(const command::Device& device, const std::string& name,
-                      const std::string& file, uint32_t width) {
+LoadedScene loadScene(const awd::Device& device, const std::string& name, const std::string& file,
+                      uint32_t width) {
   LoadedScene loaded;
   loaded.name = name;
   loaded.file = file;
@@ -97,7 +96,7 @@ LoadedScene loadScene(const command::Device& device, const std::string& name,
   return loaded;
 }
 
-bool takeReference(const command::Device& device, const std::string& folder, uint32_t samples,
+bool takeReference(const awd::Device& device, const std::string& folder, uint32_t samples,
                    LoadedScene& loaded) {
   if (auto committed = committedReference(device.get(), loaded.file, loaded.camera)) {
     loaded.reference = std::move(*committed);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "awd_handles.hpp"
+#include "awd/awd.hpp"
 #include "render_reference.h"
 #include "row.h"
 
@@ -17,7 +17,7 @@ namespace bench {
 using Cancelled = bool (*)();
 
 /// Knows the cubic B-splines of examples/cubic-bspline, too, which are not shipped.
-command::Device newRenderDevice(uint32_t threads, Cancelled cancelled);
+awd::Device newRenderDevice(uint32_t threads, Cancelled cancelled);
 
 /// Our scenes, and those in the folders of `moreScenes` unless that is "": scene files by the
 /// names of their folders.
@@ -25,18 +25,18 @@ std::map<std::string, std::string> sceneFiles(const std::string& moreScenes);
 
 struct LoadedScene {
   std::string name, file;
-  command::Scene scene;
+  awd::Scene scene;
   AWDCamera camera = AWD_CAMERA_INIT;
   Reference reference;
 };
 
 /// Without a reference yet. The height follows from the camera's aspect.
-LoadedScene loadScene(const command::Device& device, const std::string& name,
-                      const std::string& file, uint32_t width);
+LoadedScene loadScene(const awd::Device& device, const std::string& name, const std::string& file,
+                      uint32_t width);
 
 /// Sets the reference: the one beside the scene, else one made by unguided paths and kept in the
 /// folder. False: cancelled while it was made.
-bool takeReference(const command::Device& device, const std::string& folder, uint32_t samples,
+bool takeReference(const awd::Device& device, const std::string& folder, uint32_t samples,
                    LoadedScene& loaded);
 
 /// All that a host may ask for. Camera, seed and number of samples are set by who renders.

@@ -21,7 +21,7 @@ void list() {
   }
 }
 
-bool shootHost(const rival::Method& method, host::Roulette roulette, const command::Device& device,
+bool shootHost(const rival::Method& method, host::Roulette roulette, const awd::Device& device,
                const LoadedScene& loaded, uint32_t samples, uint64_t seed, Shot& shot) {
   const host::Scene scene(loaded);
   const std::unique_ptr<host::Guide> guide = method.make(device.get(), scene);
@@ -46,7 +46,7 @@ bool shootHost(const rival::Method& method, host::Roulette roulette, const comma
 }
 
 guide::Contender contender(const rival::Method& method, host::Roulette roulette) {
-  return {method.name, [&method, roulette](const command::Device& device, const LoadedScene& loaded,
+  return {method.name, [&method, roulette](const awd::Device& device, const LoadedScene& loaded,
                                            uint32_t samples, uint64_t seed, Shot& shot) {
             return shootHost(method, roulette, device, loaded, samples, seed, shot);
           }};

@@ -16,17 +16,17 @@ class CountedDevice {
  public:
   CountedDevice(uint32_t threads, Cancelled cancelled);
 
-  const command::Device& device() const { return device_; }
+  const awd::Device& device() const { return device_; }
   std::size_t bytes() const { return bytes_; }
 
  private:
   std::atomic<std::size_t> bytes_{0};
   Cancelled cancelled_;
-  command::Device device_;
+  awd::Device device_;
 };
 
 struct CommittedScene {
-  command::Scene scene;
+  awd::Scene scene;
   AWDCamera camera = AWD_CAMERA_INIT;
   AWDSceneInfo info = AWD_SCENE_INFO_INIT;
   double commitSeconds = 0.0;  ///< CPU time

@@ -21,9 +21,9 @@ guide::Contender contender(const std::string& name) {
   for (std::string part; std::getline(parts, part, '+');) {
     guide::methodNamed(part).change(settings);
   }
-  return {name, [settings](const command::Device&, const LoadedScene& loaded, uint32_t samples,
-                           uint64_t seed,
-                           Shot& shot) { return shoot(loaded, settings, samples, seed, shot); }};
+  return {name,
+          [settings](const awd::Device&, const LoadedScene& loaded, uint32_t samples, uint64_t seed,
+                     Shot& shot) { return shoot(loaded, settings, samples, seed, shot); }};
 }
 
 }  // namespace bench::trade

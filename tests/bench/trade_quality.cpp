@@ -100,7 +100,7 @@ const std::vector<std::string>& qualityNames() {
 
 bool measureQualities(const guide::Options& options, const std::vector<std::string>& qualities,
                       Cancelled cancelled, std::vector<Row>& rows) {
-  const command::Device device = newRenderDevice(options.threads, cancelled);
+  const awd::Device device = newRenderDevice(options.threads, cancelled);
   for (const auto& [name, file] : guide::chosenScenes(options)) {
     const auto loaded = guide::loadChosen(device, options, name, file);
     if (!loaded && cancelled()) return false;

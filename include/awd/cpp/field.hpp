@@ -9,6 +9,7 @@
 #include "awd/cpp/buffer.hpp"
 #include "awd/cpp/collect.hpp"
 #include "awd/cpp/scene.hpp"
+#include "awd/cpp/summands.hpp"
 #include "awd/light.h"
 
 namespace awd {
@@ -224,6 +225,20 @@ class Field : public Owner<Field, AWDField, awdRetainField, awdReleaseField> {
   Returns<void> write(Text path) { return detail::outcome(awdWriteField(get(), path.get())); }
   /// Adds what `other` has recorded since its last adapt.
   Returns<void> merge(Field& other) { return detail::outcome(awdMergeField(get(), other.get())); }
+  /// What was recorded since the last adapt, to be combined with that of other processes. patches:
+  /// of a field with patches of the host's own, else empty.
+  Returns<Summands> exportRecords(View<const std::uint32_t> patches = {}) {
+    return detail::summands([&](std::uint64_t* numbers, std::size_t capacity, std::size_t* sums,
+                                std::size_t* maxima) {
+      return awdExportField(get(), patches.data(), patches.size(), numbers, capacity, sums, maxima);
+    });
+  }
+  /// Puts the combined numbers in its place.
+  Returns<void> importRecords(View<const std::uint64_t> numbers,
+                              View<const std::uint32_t> patches = {}) {
+    return detail::outcome(
+        awdImportField(get(), patches.data(), patches.size(), numbers.data(), numbers.size()));
+  }
 };
 
 }  // namespace AWD_CPP_MODE

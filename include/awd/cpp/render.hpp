@@ -29,6 +29,18 @@ class Render : public Owner<Render, AWDRender, awdRetainRender, awdReleaseRender
                            render);
   }
 
+  /// From a checkpoint; goes on with schedules that have `resume`.
+  static Returns<Render> load(const Scene& scene, Text path) {
+    return load(scene, path, nullptr, nullptr);
+  }
+  /// The same, if these settings are those of the checkpoint.
+  static Returns<Render> load(const Scene& scene, Text path, const Field& field,
+                              const AWDRenderDesc& desc) {
+    return load(scene, path, field.get(), &desc);
+  }
+  /// Writes a checkpoint. Exclusive for the field too.
+  Returns<void> save(Text path) { return detail::outcome(awdSaveRender(get(), path.get())); }
+
   /// Empty unless the render is adaptive.
   Returns<Field> field() const {
     AWDField handle = nullptr;
@@ -48,6 +60,31 @@ class Render : public Owner<Render, AWDRender, awdRetainRender, awdReleaseRender
   /// All passes of a schedule; without one the preset's.
   Returns<void> passes() { return run(nullptr); }
   Returns<void> passes(const AWDSchedule& schedule) { return run(&schedule); }
+
+  // --- in several processes: exclusive for the field too ---------------------------------------
+
+  /// Renders a part of the schedule's next pass, whose samples per pixel it returns: 0 if there is
+  /// none. Without a schedule: of the preset's.
+  Returns<std::uint32_t> passPart(std::uint32_t part, std::uint32_t parts) {
+    return passPart(nullptr, part, parts);
+  }
+  Returns<std::uint32_t> passPart(const AWDSchedule& schedule, std::uint32_t part,
+                                  std::uint32_t parts) {
+    return passPart(&schedule, part, parts);
+  }
+  /// That part, to be combined with the others.
+  Returns<Summands> exportPass() {
+    return detail::summands([this](std::uint64_t* numbers, std::size_t capacity, std::size_t* sums,
+                                   std::size_t* maxima) {
+      return awdExportPass(get(), numbers, capacity, sums, maxima);
+    });
+  }
+  /// Ends the pass with the numbers of all parts, combined.
+  Returns<AWDPassStatistics> importPass(View<const std::uint64_t> numbers) {
+    AWDPassStatistics statistics = AWD_PASS_STATISTICS_INIT;
+    return detail::outcome(awdImportPass(get(), numbers.data(), numbers.size(), &statistics),
+                           statistics);
+  }
 
   // --- what came of them ------------------------------------------------------------------------
 
@@ -100,6 +137,24 @@ class Render : public Owner<Render, AWDRender, awdRetainRender, awdReleaseRender
   }
 
  private:
+  static Returns<Render> load(const Scene& scene, const Text& path, AWDField field,
+                              const AWDRenderDesc* desc) {
+    const detail::Call call;
+    Render render;
+    return detail::outcome(call, awdLoadRender(scene.get(), path.get(), field, desc, render.out()),
+                           render);
+  }
+  Returns<std::uint32_t> passPart(const AWDSchedule* schedule, std::uint32_t part,
+                                  std::uint32_t parts) {
+    AWDField handle = nullptr;
+    const AWDResult found = awdGetRenderField(get(), &handle);
+    if (found != AWD_SUCCESS) return detail::failure<std::uint32_t>(Error(found));
+    const Field field = Field::adopt(handle);
+    const detail::Call call(get(), field.get());
+    std::uint32_t samples = 0;
+    return detail::outcome(call, awdRenderPassPart(get(), schedule, part, parts, &samples),
+                           samples);
+  }
   /// It adapts the field between passes, whose progress is then reported.
   Returns<void> run(const AWDSchedule* schedule) {
     AWDField handle = nullptr;

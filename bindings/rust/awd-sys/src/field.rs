@@ -220,4 +220,20 @@ functions! {
     fn awdWriteField(field: AWDField, path: *const c_char) -> AWDResult;
     fn awdReadField(device: AWDDevice, path: *const c_char, field: *mut AWDField) -> AWDResult;
     fn awdMergeField(field: AWDField, other: AWDField) -> AWDResult;
+    fn awdExportField(
+        field: AWDField,
+        patches: *const u32,
+        patchCount: usize,
+        numbers: *mut u64,
+        capacity: usize,
+        sums: *mut usize,
+        maxima: *mut usize,
+    ) -> AWDResult;
+    fn awdImportField(
+        field: AWDField,
+        patches: *const u32,
+        patchCount: usize,
+        numbers: *const u64,
+        count: usize,
+    ) -> AWDResult;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //! awd/render.h: the renderer, its schedules and its film.
 
+use std::os::raw::{c_char, c_void};
+
 use crate::field::AWDFieldDesc;
 use crate::types::*;
 
@@ -93,6 +95,8 @@ structs! {
         totalSamples: u32,
         seconds: f64,
         error: f64,
+        resume: i32,
+        maxPasses: u32,
     }
 
     pub struct AWDRenderError {
@@ -138,6 +142,34 @@ functions! {
         statistics: *mut AWDPassStatistics,
     ) -> AWDResult;
     fn awdRenderPasses(render: AWDRender, schedule: *const AWDSchedule) -> AWDResult;
+    fn awdSaveRender(render: AWDRender, path: *const c_char) -> AWDResult;
+    fn awdLoadRender(
+        scene: AWDScene,
+        path: *const c_char,
+        field: AWDField,
+        desc: *const AWDRenderDesc,
+        render: *mut AWDRender,
+    ) -> AWDResult;
+    fn awdRenderPassPart(
+        render: AWDRender,
+        schedule: *const AWDSchedule,
+        part: u32,
+        parts: u32,
+        samplesPerPixel: *mut u32,
+    ) -> AWDResult;
+    fn awdExportPass(
+        render: AWDRender,
+        numbers: *mut u64,
+        capacity: usize,
+        sums: *mut usize,
+        maxima: *mut usize,
+    ) -> AWDResult;
+    fn awdImportPass(
+        render: AWDRender,
+        numbers: *const u64,
+        count: usize,
+        statistics: *mut AWDPassStatistics,
+    ) -> AWDResult;
     fn awdGetQualitySchedule(quality: AWDQuality, schedule: *mut AWDSchedule) -> AWDResult;
     fn awdGetPassCount(render: AWDRender, count: *mut u32) -> AWDResult;
     fn awdGetPassStatistics(

@@ -23,6 +23,7 @@ mod layout;
 mod bases;
 mod bytes;
 mod callbacks;
+mod continuation;
 mod density;
 mod density_content;
 mod density_report;
@@ -50,6 +51,7 @@ mod text;
 
 pub use bases::{check_basis_module, Basis, BasisCheck, BasisFlags};
 pub use callbacks::{LogFn, LogLevel, Progress, ProgressFn};
+pub use continuation::Summands;
 pub use density::{Density, Samples};
 pub use density_content::{CoefficientForm, DensityBox};
 pub use density_report::{DensityAxisInfo, DensityEstimate, DensityInfo, DensityReport};

@@ -99,19 +99,23 @@ impl Render {
         let device = scene.device();
         // Safety: the pointers are good, and the field is ours alone.
         let made = Handle::make(device, |to| unsafe { awdNewRender(scene.raw(), raw, &desc, to) })
-            .and_then(|handle| {
-                // Safety: the pointers are good.
-                let learner =
-                    Handle::take(device, |to| unsafe { awdGetRenderField(handle.raw(), to) })?;
-                Ok((handle, learner))
-            });
-        let (handle, learner) = match made {
-            Ok(made) => made,
+            .and_then(|handle| Render::of(scene, handle));
+        let mut render = match made {
+            Ok(render) => render,
             Err(error) => return Err(Returned { error, value: field }),
         };
+        // Of the field that was given, the render's is but another reference.
+        render.field = field.or(render.field);
+        Ok(render)
+    }
+
+    /// With the field that the library's render has.
+    pub(crate) fn of(scene: &Scene, handle: Handle<AWDRenderImpl>) -> Result<Self> {
+        // Safety: the pointers are good.
+        let learner =
+            Handle::take(scene.device(), |to| unsafe { awdGetRenderField(handle.raw(), to) })?;
         let address = learner.as_ref().map_or(0, |learner| learner.raw() as usize);
-        // Of the field that was given, learner is but another reference.
-        let field = field.or_else(|| learner.map(|handle| Field { handle }));
+        let field = learner.map(|handle| Field { handle });
         Ok(Render { handle, field, learner: address, scene: scene.clone() })
     }
 
@@ -141,7 +145,7 @@ impl Render {
     }
 
     /// The library works with the field of this render: it must still be here.
-    fn owns_field(&self) -> Result<()> {
+    pub(crate) fn owns_field(&self) -> Result<()> {
         let here = self.field.as_ref().map_or(0, |field| field.raw() as usize);
         if self.learner == 0 || self.learner == here {
             return Ok(());
@@ -151,7 +155,7 @@ impl Render {
     }
 
     /// For calls in which render and field may be at work for long.
-    fn finish(&self, result: AWDResult) -> Result<()> {
+    pub(crate) fn finish(&self, result: AWDResult) -> Result<()> {
         let outcome = check(result);
         let field = self.field.as_ref().map_or(ptr::null(), |field| field.handle.address());
         self.handle.device().resume(&[self.handle.address(), field]);

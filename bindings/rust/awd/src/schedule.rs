@@ -34,6 +34,11 @@ pub struct Schedule {
     /// Until the upper end of [`Render::error`](crate::Render::error) is not above this; 0: no
     /// limit. Not with `samples_per_pass`.
     pub error: f64,
+    /// The passes that the render has had count as the first of this schedule, which goes on after
+    /// them: after [`Render::load`](crate::Render::load), or a cancellation.
+    pub resume: bool,
+    /// That are rendered now, of those that are left; 0: all.
+    pub max_passes: u32,
 }
 
 impl Schedule {
@@ -44,7 +49,7 @@ impl Schedule {
         // Safety: the pointer is good.
         check(unsafe { awdGetQualitySchedule(quality.raw(), &mut schedule) })?;
         let AWDSchedule { totalSamples, seconds, error, .. } = schedule;
-        Ok(Schedule { samples_per_pass: Vec::new(), total_samples: totalSamples, seconds, error })
+        Ok(Schedule { total_samples: totalSamples, seconds, error, ..Schedule::default() })
     }
 
     /// Points into self.
@@ -58,6 +63,8 @@ impl Schedule {
             totalSamples: self.total_samples,
             seconds: self.seconds,
             error: self.error,
+            resume: self.resume.into(),
+            maxPasses: self.max_passes,
             ..Default::default()
         })
     }

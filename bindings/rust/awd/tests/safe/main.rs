@@ -4,6 +4,7 @@
 mod bases;
 mod callbacks;
 mod common;
+mod continuation;
 mod density;
 mod field;
 mod render;
