@@ -77,7 +77,7 @@ CountedDevice::CountedDevice(uint32_t threads, Cancelled cancelled) : cancelled_
     return static_cast<CountedDevice*>(user)->cancelled_() ? 0 : 1;
   };
   desc.progressUser = this;
-  must(awdNewDevice(&desc, device_.out()));
+  device_ = awd::Device::create(desc);
 }
 
 CommittedScene cutRooms(const CountedDevice& device, uint32_t pieces, uint32_t width) {
@@ -113,8 +113,7 @@ CommittedScene lampGrid(const CountedDevice& device, uint32_t side, uint32_t wid
   committed.camera = awdtest::lampRoomCamera(width);
   const std::size_t before = device.bytes();
   awdtest::Scene scene = room.upload(device.device().get());
-  awdRetainScene(scene);
-  *committed.scene.out() = scene;
+  committed.scene = awd::Scene::share(scene);
   commit(device, before, committed);
   return committed;
 }
