@@ -12,9 +12,10 @@ namespace {
 constexpr Vec kUp = {0.0f, 0.0f, 1.0f};
 
 Vec positionOf(uint32_t pixel, uint32_t n) {
+  const uint32_t row = pixel / n, column = pixel % n;
   const float scale = 1.0f / static_cast<float>(n);
-  return {(static_cast<float>(pixel % n) + 0.5f) * scale,
-          (static_cast<float>(pixel / n) + 0.5f) * scale, 0.0f};
+  return {(static_cast<float>(column) + 0.5f) * scale, (static_cast<float>(row) + 0.5f) * scale,
+          0.0f};
 }
 
 /// What a direction brings: f_r L cos(theta).

@@ -21,11 +21,13 @@ double exactReflected(const Vec& position) {
   // Over the window: cos(theta) d omega = (z/r) (dx/r) / r^2 dA, dx the distance from the wall.
   constexpr int kCells = 64;
   double window = 0.0;
-  for (int i = 0; i < kCells * kCells; ++i) {
-    const double y = kLeft + (i % kCells + 0.5) / kCells * (kRight - kLeft) - position[1];
-    const double z = kSill + (i / kCells + 0.5) / kCells * (kTop - kSill);
-    const double x = 1.0 - position[0], square = x * x + y * y + z * z;
-    window += x * z / (square * square);
+  for (int i = 0; i < kCells; ++i) {
+    for (int j = 0; j < kCells; ++j) {
+      const double y = kLeft + (i + 0.5) / kCells * (kRight - kLeft) - position[1];
+      const double z = kSill + (j + 0.5) / kCells * (kTop - kSill);
+      const double x = 1.0 - position[0], square = x * x + y * y + z * z;
+      window += x * z / (square * square);
+    }
   }
   window *= (kRight - kLeft) * (kTop - kSill) / (kCells * kCells);
   return kAlbedo / kPi * (kWalls * kPi + (kSky - kWalls) * window);

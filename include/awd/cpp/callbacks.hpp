@@ -35,8 +35,7 @@ std::int32_t callBack(const void*, Body&& body) noexcept {
 #else
 
 /// A call that may call back, from beginning to end. Progress tells of which object it is, at which
-/// any thread may work; a log message belongs to the call of its thread or, in a thread of the
-/// library's own, to the latest.
+/// any thread may work; a log message belongs to the call of its thread.
 class Call {
  public:
   explicit Call(const void* object = nullptr, const void* other = nullptr)
@@ -63,7 +62,8 @@ class Call {
     const Call* call = find(object);
     return call && call->thrown_;
   }
-  /// Keeps the exception at work for that call. There is none if the host called in C.
+  /// Keeps the exception at work for that call. There is none if the host called in C, nor of log
+  /// messages from threads of the library's own.
   static void keepException(const void* object) noexcept {
     const std::lock_guard<std::mutex> lock(mutex());
     Call* call = find(object);
@@ -90,7 +90,7 @@ class Call {
         return call;
       }
     }
-    return object ? nullptr : latest();
+    return nullptr;
   }
 
   const void* objects_[2];
@@ -120,7 +120,7 @@ auto outcome(const Call& call, AWDResult result, Value&... value) {
   return outcome(result, value...);
 }
 
-/// The pointer that a callback's `user` is, and what it is made to again.
+/// The pointer to be a callback's `user`.
 template <class Callable>
 void* userOf(Callable& callable) noexcept {
   static_assert(!std::is_function_v<Callable>, "give an object, such as a lambda");

@@ -18,8 +18,8 @@ namespace awd {
 inline namespace AWD_CPP_MODE {
 
 /// Callables are referred to, not copied: they must outlive the device and all that is made of it.
-/// What they throw leaves the call that was at work, which ends as if cancelled; from calls made in
-/// C it is lost.
+/// What they throw leaves the call that was at work, which is cancelled if it can be; it is lost
+/// from calls made in C, and from log messages of the library's own threads.
 struct DeviceDesc : AWDDeviceDesc {
   DeviceDesc() noexcept : AWDDeviceDesc(AWD_DEVICE_DESC_INIT) {}
 

@@ -141,6 +141,22 @@ TEST(Callbacks, CancelWhatWasCalledInC) {
   scene.commit();
 }
 
+TEST(Callbacks, OfTheLogAreLostInC) {
+  const auto onLog = [](int32_t, const char*) { throw 1; };
+  awd::DeviceDesc desc;
+  desc.setLog(onLog);
+  awd::Scene empty = awd::Scene::create(awd::Device::create(desc));
+  // At the same time another thread is in a call of C++, which has nothing to do with it.
+  awd::Scene other = uploadRoom(oneThread());
+  std::atomic<bool> stop{false};
+  std::thread thread([&] {
+    while (!stop) EXPECT_NO_THROW(other.commit());
+  });
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(awdCommitScene(empty.get()), AWD_SUCCESS);
+  stop = true;
+  thread.join();
+}
+
 TEST(Callbacks, MayCallTheLibrary) {
   awd::Field* other = nullptr;
   size_t told = 0;
