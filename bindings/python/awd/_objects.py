@@ -56,8 +56,11 @@ class Use:
     """Within it calls may use these objects: `exclusive` ones alone, others together."""
 
     def __init__(self, exclusive: "Used" = (), shared: "Used" = ()) -> None:
-        self._wanted = [(known, True) for known in references(exclusive)]
-        self._wanted += [(known, False) for known in references(shared)]
+        alone = references(exclusive)
+        together = [known for known in references(shared) if known not in alone]
+        # An object that is given twice is for the library to judge.
+        self._wanted = [(known, True) for known in dict.fromkeys(alone)]
+        self._wanted += [(known, False) for known in together]
         self._held: list[tuple[Reference, bool]] = []
 
     def __enter__(self) -> None:

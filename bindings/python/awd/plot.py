@@ -4,13 +4,14 @@
 matplotlib is not needed by the rest of the package. Every function draws into `ax`, or into new
 axes of a new figure, and returns the axes: ax.figure.savefig(path), or matplotlib.pyplot.show().
 """
+import importlib
 from typing import Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _check
-from ._arrays import DOUBLE, FLOAT, packed, shaped, as_array
+from ._arrays import DOUBLE, FLOAT, as_array, packed, shaped
 from ._field import Field
 from ._render import Render
 
@@ -19,7 +20,7 @@ def _axes(ax: Any) -> Any:
     if ax is not None:
         return ax
     try:
-        from matplotlib import pyplot
+        pyplot = importlib.import_module("matplotlib.pyplot")
     except ImportError as error:
         raise ImportError("awd.plot wants matplotlib: apt-get install python3-matplotlib, or "
                           "pip install matplotlib") from error
