@@ -116,7 +116,8 @@ AWD_EXPORT AWDResult AWD_CALL awdGetSceneInfo(AWDScene scene, AWDSceneInfo* info
 /* --- queries ----------------------------------------------------------------------------------
    Of a scene as it was last committed; AWD_ERROR_INVALID_OPERATION if it never was. */
 
-/* A ray o + t d, tnear <= t <= tfar; d need not be a unit vector. This struct never grows. */
+/* A ray o + t d, tnear <= t <= tfar; d need not be a unit vector, but neither it nor o may be
+   beyond 1e18 times the size of the scene. This struct never grows. */
 typedef struct AWDRay {
   float origin[3];    /* o */
   float tnear;        /* finite */

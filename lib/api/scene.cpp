@@ -11,16 +11,28 @@ using namespace awd;
 
 namespace {
 
-void checkRay(const AWDRay& ray, size_t index) {
-  if (isFinite(load(ray.origin)) && isFinite(load(ray.direction)) && !std::isnan(ray.tnear) &&
-      !std::isnan(ray.tfar)) {
-    return;
+/// Beyond it in the frame of the scene, whose size is about 1, Embree takes no ray.
+constexpr float kMostInFrame = 1e18f;
+
+bool isWithin(Vec3f v) {
+  return std::fabs(v.x) <= kMostInFrame && std::fabs(v.y) <= kMostInFrame &&
+         std::fabs(v.z) <= kMostInFrame;
+}
+
+void checkRay(const Geometry& geometry, const AWDRay& ray, size_t index) {
+  const Vec3f origin = load(ray.origin), direction = load(ray.direction);
+  if (isFinite(origin) && isFinite(direction) && !std::isnan(ray.tnear) && !std::isnan(ray.tfar)) {
+    if (isWithin(geometry.toFrame(origin)) && isWithin(direction * geometry.scale())) return;
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "rays[%zu] has origin (%g, %g, %g), direction (%g, %g, %g): more than 1e18 times the size "
+         "of the scene",
+         index, origin.x, origin.y, origin.z, direction.x, direction.y, direction.z);
   }
   fail(AWD_ERROR_INVALID_ARGUMENT,
        "rays[%zu] has origin (%g, %g, %g), direction (%g, %g, %g), tnear %g, tfar %g: NaN is not "
        "allowed, infinity only in tfar",
-       index, ray.origin[0], ray.origin[1], ray.origin[2], ray.direction[0], ray.direction[1],
-       ray.direction[2], ray.tnear, ray.tfar);
+       index, origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, ray.tnear,
+       ray.tfar);
 }
 
 /// Nothing is written unless all rays are good.
@@ -32,7 +44,7 @@ const Geometry& checkRays(AWDScene scene, const AWDRay* rays, size_t count, Outp
     need(rays, "rays");
     need(output, outputName);
   }
-  for (size_t i = 0; i < count; ++i) checkRay(rays[i], i);
+  for (size_t i = 0; i < count; ++i) checkRay(geometry, rays[i], i);
   return geometry;
 }
 

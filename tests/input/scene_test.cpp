@@ -325,6 +325,28 @@ TEST_F(BadScene, RaysThatMakeNoSense) {
   }
 }
 
+/// Embree may end the process at a ray from too far away, or too fast.
+TEST_F(BadScene, RaysBeyondAllMeasure) {
+  add(Strip(1));
+  must(awdCommitScene(scene_));
+  const AWDRay good = {{0.5f, 0.25f, 1.0f}, 0.0f, {0.0f, 0.0f, -2.0f}, kInfinity};
+  AWDHit hit;
+  uint8_t occluded;
+  for (const float far : {1e19f, -1e25f, 3e38f}) {
+    AWDRay distant = good, fast = good;
+    distant.origin[2] = far;
+    fast.direction[2] = far;
+    for (const AWDRay& ray : {distant, fast}) {
+      expectFailure(awdIntersect(scene_, &ray, 1, &hit), AWD_ERROR_INVALID_ARGUMENT, {"rays[0]"});
+      expectFailure(awdOccluded(scene_, &ray, 1, &occluded), AWD_ERROR_INVALID_ARGUMENT,
+                    {"rays[0]"});
+    }
+  }
+  AWDRay ray = good;
+  ray.origin[2] = 1e17f;
+  must(awdIntersect(scene_, &ray, 1, &hit));
+}
+
 /// Light so bright that sums overflow: such paths are left out and counted, the film is finite.
 TEST_F(BadScene, BlindingLight) {
   const AWDMaterialDesc blinding = {sizeof blinding, {0.9f, 0.9f, 0.9f}, {3e38f, 1.0f, 0.0f}};
