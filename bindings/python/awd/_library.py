@@ -6,7 +6,7 @@ import threading
 from typing import Any, Callable, Optional
 
 from . import _c as c
-from ._errors import Error, InvalidOperation, LibraryNotFound, Unsupported, error_of
+from ._errors import LibraryNotFound, Unsupported, error_of
 
 SONAME = "libawd.so.1"
 
@@ -85,6 +85,3 @@ def check(result: int) -> None:
 
 def decoded(text: Optional[bytes]) -> str:
     return "" if text is None else text.decode("utf-8", "replace")
-
-
-__all__ = ["Error", "InvalidOperation", "check", "decoded", "lib"]

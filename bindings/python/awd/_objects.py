@@ -11,11 +11,9 @@ import threading
 from types import TracebackType
 from typing import Any, Callable, Optional, Type, TypeVar, Union
 
-from . import _c as c
 from ._callbacks import Callbacks, Watch, interruptible
-from ._check import instance
 from ._errors import InvalidOperation
-from ._library import check, decoded, lib
+from ._library import check, lib
 
 Self = TypeVar("Self", bound="Object")
 
@@ -184,7 +182,3 @@ def described(kind: Any) -> Any:
     made = kind()
     made.structSize = ctypes.sizeof(kind)
     return made
-
-
-__all__ = ["Object", "Reference", "Use", "bytes_of", "c", "check", "decoded", "described",
-           "instance", "lib"]

@@ -2,6 +2,7 @@
 """Installed by pip, offline and without a compiler: from the folder, and from a wheel that carries
 the library."""
 import glob
+import json
 import os
 import shutil
 import subprocess
@@ -63,7 +64,7 @@ class Installed(unittest.TestCase):
                   "--disable-pip-version-check", what, CC="false", CXX="false")
 
     def use(self, python, **environment):
-        told = eval(self.run_(python, "-c", USE, **environment), {"true": True, "false": False})
+        told = json.loads(self.run_(python, "-c", USE, **environment))
         self.assertTrue(told["package"].startswith(self.folder), told)
         self.assertGreater(told["mean"], 0)
         self.assertGreater(len(told["bases"]), 5)
