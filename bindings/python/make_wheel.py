@@ -19,6 +19,12 @@ SOURCES = ("pyproject.toml", "setup.py", "README.md")
 SONAME = "libawd.so.1"
 
 
+def no_module(folder, names):
+    """Those of the names that are neither modules nor folders."""
+    return [name for name in names
+            if not name.endswith(".so") and not os.path.isdir(os.path.join(folder, name))]
+
+
 def stage(library, folder):
     """A copy of the package, with the library in it."""
     here = os.path.dirname(os.path.abspath(__file__))
@@ -31,9 +37,7 @@ def stage(library, folder):
     os.mkdir(inside)
     shutil.copy(library, os.path.join(inside, SONAME))
     shutil.copytree(os.path.join(os.path.dirname(library), "awd"), os.path.join(inside, "awd"),
-                    ignore=lambda parent, names: [
-                        name for name in names
-                        if not name.endswith(".so") and not os.path.isdir(os.path.join(parent, name))])
+                    ignore=no_module)
     strip = shutil.which("strip")
     if strip:  # debug information is most of the size
         for parent, _, names in os.walk(inside):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Renders a room whose lamp shines at the ceiling, unguided and guided, and shows how the two do."""
+"""Renders a room whose lamp shines at the ceiling, unguided and guided, and tells how both do."""
 import argparse
 import os
 

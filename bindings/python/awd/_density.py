@@ -224,8 +224,8 @@ class Density(Object):
         return coefficients
 
     def set_coefficients(self, coefficients: npt.ArrayLike) -> None:
-        """Makes p the density of these scaling coefficients (n,), divided by their integral; finite,
-        none negative, as many as there are now. Not after samples have been recorded. Exclusive."""
+        """Makes p the density of these scaling coefficients (n,), divided by their integral;
+        finite, none negative, as many as there are now. Not after samples have been recorded. Exclusive."""
         known = _arrays.packed(coefficients, DOUBLE, (-1,), "coefficients")
         with Use(exclusive=(self,)):
             check(lib.awdSetDensityCoefficients(self._handle, address(known), len(known)))

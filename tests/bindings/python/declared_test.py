@@ -34,8 +34,8 @@ class Declared(unittest.TestCase):
         self.assertGreater(len(HEADER.inits), 15)
 
     def test_functions(self):
-        self.assertEqual({name: len(arguments) for name, (_, arguments) in HEADER.functions.items()},
-                         declared()["functions"])
+        want = {name: len(arguments) for name, (_, arguments) in HEADER.functions.items()}
+        self.assertEqual(declared()["functions"], want)
 
     def test_constants(self):
         self.assertEqual(COMPILED["constants"], declared()["constants"])

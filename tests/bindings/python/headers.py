@@ -143,7 +143,8 @@ def compiled(header):
     for struct, fields in header.structs.items():
         lines.append(f'  printf("size {struct} %zu\\n", sizeof({struct}));')
         for field in fields:
-            lines.append(f'  printf("offset {struct} {field} %zu\\n", offsetof({struct}, {field}));')
+            offset = f"offsetof({struct}, {field})"
+            lines.append(f'  printf("offset {struct} {field} %zu\\n", {offset});')
     for struct, macro in header.inits.items():
         lines.append(f"  {{ static const {struct} value = {macro};")
         lines.append("    const unsigned char* bytes = (const unsigned char*)&value;")

@@ -45,7 +45,8 @@ class Renders(unittest.TestCase):
         frozen = np.zeros(SHAPE, np.float32)
         frozen.flags.writeable = False
         for error, out in ((ValueError, frozen), (TypeError, np.zeros(SHAPE)),
-                           (TypeError, np.zeros(SHAPE, ">f4")), (ValueError, np.zeros(3, np.float32)),
+                           (TypeError, np.zeros(SHAPE, ">f4")),
+                           (ValueError, np.zeros(3, np.float32)),
                            (ValueError, np.zeros(SHAPE[:2], np.float32)), (TypeError, [[[0.0]]]),
                            (ValueError, np.broadcast_to(np.float32(0), SHAPE))):
             self.assertRaises(error, self.render.film, out=out)

@@ -120,7 +120,8 @@ class Scenes(unittest.TestCase):
     def test_the_librarys_message(self):
         scene = awd.Scene(self.device)
         scene.add_mesh(VERTICES, INDICES + 8)
-        with self.assertRaisesRegex(awd.InvalidArgument, "awdCommitScene: mesh 0, triangle 0 .* index 8") as caught:
+        message = "awdCommitScene: mesh 0, triangle 0 .* index 8"
+        with self.assertRaisesRegex(awd.InvalidArgument, message) as caught:
             scene.commit()
         self.assertEqual(caught.exception.result, awd.Result.ERROR_INVALID_ARGUMENT)
 

@@ -107,7 +107,8 @@ def values():
     closed.close()
     return [
         None, True, -1, 0, 1, 2, 7, 20, 2**31 - 1, 2**31, 2**32 - 1, 2**32, 2**63, 2**64, -2**63,
-        10**400, 0.5, -0.0, 1.0, 1e19, 3e38, 1e39, 1e308, 5e-324, float("nan"), float("inf"), -float("inf"), 1j,
+        10**400, 0.5, -0.0, 1.0, 1e19, 3e38, 1e39, 1e308, 5e-324,
+        float("nan"), float("inf"), -float("inf"), 1j,
         "", "x", "\0", "haar", "ceres", "paper", "adaptive", "\ud800", "/dev/null", "x" * 5000, b"",
         b"\0", b"abc", bytes(100), bytearray(10), memoryview(b"abcd")[::2], object(), int, Ellipsis,
         lambda *_: False, lambda *_: 1 / Evil().fail(), [], [[]], [0], [1.0, 2.0, 3.0],
@@ -273,11 +274,12 @@ LEFT_OUT = {"plot.show_film", "plot.show_pdf", "plot.show_error", "progress.is_t
 
 def public():
     """The names of all public callables."""
+    kinds = (awd.Device.__base__, awd.Camera, awd.Axis)
     for name in awd.__all__:
         kind = getattr(awd, name)
         if inspect.isfunction(kind):
             yield name
-        elif inspect.isclass(kind) and issubclass(kind, (awd.Device.__base__, awd.Camera, awd.Axis)):
+        elif inspect.isclass(kind) and issubclass(kind, kinds):
             yield name
             for method, value in inspect.getmembers(kind, callable):
                 if not method.startswith("_") and method != "close":
