@@ -24,13 +24,15 @@ from ._enums import (INVALID_ID, MOST_DIMENSIONS, MOST_LIGHTS, PATCH_BACK, Basis
 from ._errors import (Cancelled, Error, FileError, InvalidArgument, InvalidOperation,
                       LibraryNotFound, OutOfMemory, PluginABIError, PluginError, PluginLoadError,
                       PluginNameTaken, PluginSelfTestFailed, Unsupported)
+from ._exchange import Records
 from ._field import DIRECTION_SAMPLE, PATH_VERTEX, Field, LightSample
 from ._figures import (BasisCheck, BasisInfo, DensityAxisInfo, DensityEstimate, DensityInfo,
                        DensityReport, FieldStatistics, PassStatistics, PatchInfo, QualitySchedule,
                        RenderError, SceneInfo)
 from ._image import Image
-from ._render import Camera, Render, quality_schedule
+from ._render import Camera, Render
 from ._scene import HIT, RAY, Scene, rays
+from ._schedule import quality_schedule
 
 __all__ = [
     "Axis", "BasisCheck", "BasisFlags", "BasisInfo", "Camera", "Cancelled", "CoefficientForm",
@@ -41,10 +43,10 @@ __all__ = [
     "LightSample", "LogFunction", "MOST_DIMENSIONS", "MOST_LIGHTS", "OutOfMemory", "PATCH_BACK",
     "PATH_VERTEX", "PassStatistics", "PatchInfo", "Patches", "PluginABIError", "PluginError",
     "PluginLoadError", "PluginNameTaken", "PluginSelfTestFailed", "Points", "Preset", "Progress",
-    "ProgressFunction", "ProgressLike", "Quality", "QualitySchedule", "RAY", "RefitStatus",
-    "Render", "RenderError", "Result", "Roulette", "Sampler", "Scene", "SceneInfo", "Severity",
-    "Structure", "Target", "Unsupported", "check_basis", "library_path", "library_version",
-    "quality_schedule", "rays", "result_string",
+    "ProgressFunction", "ProgressLike", "Quality", "QualitySchedule", "RAY", "Records",
+    "RefitStatus", "Render", "RenderError", "Result", "Roulette", "Sampler", "Scene", "SceneInfo",
+    "Severity", "Structure", "Target", "Unsupported", "check_basis", "library_path",
+    "library_version", "quality_schedule", "rays", "result_string",
 ]
 
 __version__ = f"{_c.AWD_VERSION_MAJOR}.{_c.AWD_VERSION_MINOR}.{_c.AWD_VERSION_PATCH}"

@@ -10,13 +10,14 @@ from typing import Any, Iterator, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._check import SIZE, UINT32, shown
+from ._check import SIZE, shown
 
 Array = npt.NDArray[Any]
 
 FLOAT = np.dtype(np.float32)
 DOUBLE = np.dtype(np.float64)
 UINT = np.dtype(np.uint32)
+UINT64 = np.dtype(np.uint64)
 
 
 def items_of(kind: Any) -> "np.dtype[np.void]":
@@ -49,11 +50,10 @@ def as_array(value: Any, dtype: "np.dtype[Any]", name: str) -> Array:
     if array.dtype.kind not in ("iu" if dtype.kind == "u" else "iuf"):
         raise TypeError(f"{name} has dtype {array.dtype}: it must be {dtype}, or convertible "
                         "without loss of kind")
-    if dtype == UINT:
-        low, high = int(array.min()), int(array.max())
-        if low < 0 or high > UINT32:
-            raise ValueError(f"{name} has {low if low < 0 else high}: it must be from 0 to "
-                             f"{UINT32}")
+    if dtype.kind == "u" and array.size > 0:
+        low, high, most = int(array.min()), int(array.max()), int(np.iinfo(dtype).max)
+        if low < 0 or high > most:
+            raise ValueError(f"{name} has {low if low < 0 else high}: it must be from 0 to {most}")
     with np.errstate(over="ignore"):  # infinity, which the library judges
         return array.astype(dtype)
 

@@ -11,6 +11,7 @@ from ._arrays import DOUBLE, FLOAT, UINT, address
 from ._callbacks import ProgressLike
 from ._device import Device
 from ._enums import Estimator, HemisphereMap, Patches, Preset, Target
+from ._exchange import Records, exported, joined
 from ._figures import FieldStatistics, PatchInfo, Triple, figures, optional
 from ._library import check, lib
 from ._objects import Object, Use, bytes_of, described
@@ -136,6 +137,24 @@ class Field(Object):
         _check.instance(other, Field, "other")
         with Use(exclusive=(self, other)):
             check(lib.awdMergeField(self._handle, other._handle))
+
+    def export_records(self, patches: Optional[npt.ArrayLike] = None) -> Records:
+        """What was recorded since the last adapt, or since mark() after it, for processes that
+        record parts of a pass. patches: of a field with patches of the host's own, ascending, all
+        in which any process may have recorded; None with spatial ones. Exclusive."""
+        known = None if patches is None else _arrays.packed(patches, UINT, (-1,), "patches")
+        with Use(exclusive=(self,)):
+            handle, given = self._handle, listed(known)
+            return exported(lambda *room: lib.awdExportField(handle, *given, *room))
+
+    def import_records(self, sums: npt.ArrayLike, maxima: npt.ArrayLike,
+                       patches: Optional[npt.ArrayLike] = None) -> None:
+        """Puts what all processes have exported, combined, in place of what this one has recorded;
+        adapt() then has the bits of one process that has recorded everything. Exclusive."""
+        known = None if patches is None else _arrays.packed(patches, UINT, (-1,), "patches")
+        numbers = joined(sums, maxima)
+        with Use(exclusive=(self,)):
+            check(lib.awdImportField(self._handle, *listed(known), address(numbers), len(numbers)))
 
     # --- directions ---
 
@@ -350,6 +369,10 @@ class Field(Object):
         with Use(shared=(self,)):
             check(function(self._handle, number, *more, ctypes.byref(result)))
         return result.value
+
+
+def listed(patches: Optional[_arrays.Array]) -> tuple[Optional[int], int]:
+    return (None, 0) if patches is None else (address(patches), len(patches))
 
 
 def buffer_of(data: Any) -> _arrays.Array:

@@ -8,16 +8,18 @@ import numpy.typing as npt
 
 from . import _arrays, _check
 from . import _c as c
-from ._arrays import FLOAT, UINT, address
+from ._arrays import FLOAT, address
 from ._callbacks import ProgressLike
 from ._enums import (Combination, DirectLight, FilmLayer, Guide, LightChoice, Points, Preset,
                      Quality, Roulette)
+from ._exchange import Records, exported, joined
 from ._field import Field
-from ._figures import PassStatistics, QualitySchedule, RenderError, Triple, figures
+from ._figures import PassStatistics, RenderError, Triple, figures
 from ._image import Image
 from ._library import check, lib
 from ._objects import Object, Reference, Use, described
 from ._scene import Scene
+from ._schedule import schedule_of
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,8 @@ class Render(Object):
       max_split: rays a vertex, at most 64; max_bytes: of film, pass and field; 0: the default.
     awd/render.h tells the rest. The same seed gives the same bits for any number of threads.
 
-    All methods are exclusive, run() and run_pass() for the field too; pixel_patch() is not.
+    All methods are exclusive, those that run, save, export and import for the field too;
+    pixel_patch() is not.
     """
 
     _kind = "Render"
@@ -71,35 +74,56 @@ class Render(Object):
                  max_split: int = 0,
                  lights: Union[LightChoice, str] = LightChoice.DEFAULT) -> None:
         _check.instance(scene, Scene, "scene")
-        _check.instance(camera, Camera, "camera")
         if field is not None:
             _check.instance(field, Field, "field")
-        known_camera = camera._described()
-        desc = described(c.AWDRenderDesc)
-        desc.camera = ctypes.pointer(known_camera)
-        desc.preset = _check.enumerated(preset, Preset, "preset")
-        desc.guide = _check.enumerated(guide, Guide, "guide")
-        desc.direct = _check.enumerated(direct, DirectLight, "direct")
-        desc.roulette = _check.enumerated(roulette, Roulette, "roulette")
-        desc.shadowRays = _check.integer(shadow_rays, "shadow_rays")
-        desc.maxLights = _check.integer(max_lights, "max_lights")
-        desc.seed = _check.integer(seed, "seed", _check.UINT64)
-        desc.combination = _check.enumerated(combination, Combination, "combination")
-        desc.points = _check.enumerated(points, Points, "points")
-        desc.maxBytes = _check.integer(max_bytes, "max_bytes", _check.UINT64)
-        desc.maxSplit = _check.integer(max_split, "max_split")
-        desc.lights = _check.enumerated(lights, LightChoice, "lights")
-        handle, own = c.AWDRender(), c.AWDField()
+        desc = settings_of(camera, preset=preset, guide=guide, direct=direct, roulette=roulette,
+                           shadow_rays=shadow_rays, max_lights=max_lights, seed=seed,
+                           combination=combination, points=points, max_bytes=max_bytes,
+                           max_split=max_split, lights=lights)
+        handle = c.AWDRender()
         with Use(exclusive=(field,), shared=(scene,)):
             given = None if field is None else field._handle
             check(lib.awdNewRender(scene._handle, given, ctypes.byref(desc), ctypes.byref(handle)))
-            self._own(handle, scene._callbacks)
-            check(lib.awdGetRenderField(self._handle, ctypes.byref(own)))
-            if own.value is not None:
-                # One reference a field, so that it knows which calls use it.
-                made = Field._make(own, scene)
-                self._field = (made if field is None else field)._alive()
-            self._scene = scene._alive()
+            self._begin(handle, scene, field)
+
+    def _begin(self, handle: Any, scene: Scene, field: Optional[Field]) -> None:
+        self._own(handle, scene._callbacks)
+        own = c.AWDField()
+        check(lib.awdGetRenderField(self._handle, ctypes.byref(own)))
+        if own.value is not None:
+            # One reference a field, so that it knows which calls use it.
+            made = Field._make(own, scene)
+            self._field = (made if field is None else field)._alive()
+        self._scene = scene._alive()
+
+    @classmethod
+    def load(cls, scene: Scene, path: _check.PathLike, camera: Optional[Camera] = None,
+             field: Optional[Field] = None, **settings: Any) -> "Render":
+        """From a checkpoint of save(), to go on with the same bits: run(resume=True, ..). `scene`
+        must be made as it was then. camera and settings, if given, are those of Render(); together
+        with those of `field`, which is not used itself, they must be what the checkpoint has:
+        InvalidArgument names the first that differs. FileError: no file, or a damaged one."""
+        _check.instance(scene, Scene, "scene")
+        known = _check.path(path, "path")
+        if field is not None:
+            _check.instance(field, Field, "field")
+        if camera is None and settings:
+            raise ValueError(f"{', '.join(settings)}: settings are compared with a camera alone")
+        desc = None if camera is None else settings_of(camera, **settings)
+        handle, made = c.AWDRender(), cls.__new__(cls)
+        with Use(shared=(scene, field)):
+            check(lib.awdLoadRender(scene._handle, known, None if field is None else field._handle,
+                                    None if desc is None else ctypes.byref(desc),
+                                    ctypes.byref(handle)))
+            made._begin(handle, scene, None)
+        return made
+
+    def save(self, path: _check.PathLike) -> None:
+        """Writes a checkpoint: film, figures, settings and field, in a file that is there whole or
+        not at all. Exclusive for the field too."""
+        known = _check.path(path, "path")
+        with Use(exclusive=(self, self._field), shared=(self._scene,)):
+            check(lib.awdSaveRender(self._handle, known))
 
     @property
     def field(self) -> Optional[Field]:
@@ -118,7 +142,8 @@ class Render(Object):
 
     def run(self, *, samples: int = 0, seconds: float = 0.0, error: float = 0.0,
             passes: Optional[npt.ArrayLike] = None,
-            quality: Union[Quality, str, None] = None, progress: ProgressLike = None) -> None:
+            quality: Union[Quality, str, None] = None, resume: bool = False, max_passes: int = 0,
+            progress: ProgressLike = None) -> None:
         """Several passes, with adapting between them.
 
         samples: per pixel, divided into passes by the library.
@@ -127,32 +152,56 @@ class Render(Object):
         passes: samples per pixel of each pass, instead of all these.
         quality: sets error, and the most samples unless `samples` is given; see quality_schedule().
         None of them: the preset's schedule.
+        resume: all passes that the render has had count as the first of these.
+        max_passes: that are rendered now, of those that are left; 0: all.
 
-        Passes that were finished before a cancellation stay.
+        Passes that were finished before a cancellation stay: resume goes on from there.
         """
-        schedule = described(c.AWDSchedule)
-        schedule.totalSamples = _check.integer(samples, "samples")
-        schedule.seconds = _check.number(seconds, "seconds")
-        schedule.error = _check.number(error, "error")
-        keep = None
-        if passes is not None:
-            keep = _arrays.packed(passes, UINT, (-1,), "passes")
-            if len(keep) == 0:
-                raise ValueError("passes is empty")
-            schedule.samplesPerPass = ctypes.cast(address(keep), ctypes.POINTER(ctypes.c_uint32))
-            schedule.passCount = _check.integer(len(keep), "the length of passes")
-        if quality is not None:
-            if schedule.error != 0.0:
-                raise ValueError("error and quality are both set: quality sets the error")
-            promise = quality_schedule(quality)
-            schedule.error = promise.error
-            schedule.totalSamples = schedule.totalSamples or promise.total_samples
+        schedule, keep = schedule_of(samples, seconds, error, passes, quality)
+        schedule.resume = bool(resume)
+        schedule.maxPasses = _check.integer(max_passes, "max_passes")
 
         def body() -> None:
             check(lib.awdRenderPasses(self._handle, ctypes.byref(schedule)))
 
         self._long(progress, (self, self._field), (self._scene,), body)
         del keep  # until here the library may read it
+
+    def run_part(self, part: int, parts: int, *, samples: int = 0, error: float = 0.0,
+                 passes: Optional[npt.ArrayLike] = None,
+                 quality: Union[Quality, str, None] = None, progress: ProgressLike = None) -> int:
+        """Renders part `part` of `parts` of the next pass that the schedule has, one part in each
+        process, with renders made alike; adapts before it. Returns the samples per pixel of the
+        pass, 0: the schedule is through. export_pass() and import_pass() come next, and nothing
+        else may use the field until then."""
+        schedule, keep = schedule_of(samples, 0.0, error, passes, quality)
+        numbers = _check.integer(part, "part"), _check.integer(parts, "parts")
+        done = ctypes.c_uint32()
+
+        def body() -> None:
+            check(lib.awdRenderPassPart(self._handle, ctypes.byref(schedule), *numbers,
+                                        ctypes.byref(done)))
+
+        self._long(progress, (self, self._field), (self._scene,), body)
+        del keep  # until here the library may read it
+        return done.value
+
+    def export_pass(self) -> Records:
+        """The part last rendered. InvalidOperation if none waits to be imported."""
+        with Use(exclusive=(self, self._field)):
+            handle = self._handle
+            return exported(lambda *room: lib.awdExportPass(handle, *room))
+
+    def import_pass(self, sums: npt.ArrayLike, maxima: npt.ArrayLike) -> PassStatistics:
+        """Ends the pass with what all processes have exported, combined: each then has the bits of
+        one that rendered all. InvalidArgument, and nothing is changed, unless each part is in them
+        once."""
+        numbers = joined(sums, maxima)
+        statistics = described(c.AWDPassStatistics)
+        with Use(exclusive=(self, self._field)):
+            check(lib.awdImportPass(self._handle, address(numbers), len(numbers),
+                                    ctypes.byref(statistics)))
+        return figures(PassStatistics, statistics)
 
     def film(self, layer: Union[FilmLayer, str] = FilmLayer.RADIANCE,
              out: Optional[npt.NDArray[np.float32]] = None) -> npt.NDArray[np.float32]:
@@ -233,10 +282,28 @@ class Render(Object):
         return None if patch.value == c.AWD_INVALID_ID else patch.value
 
 
-def quality_schedule(quality: Union[Quality, str]) -> QualitySchedule:
-    """What a quality promises. Whether it was kept: render.error().upper <= error, or
-    render.samples_per_pixel is total_samples."""
-    known = _check.enumerated(quality, Quality, "quality")
-    schedule = described(c.AWDSchedule)
-    check(lib.awdGetQualitySchedule(known, ctypes.byref(schedule)))
-    return figures(QualitySchedule, schedule)
+def settings_of(camera: Camera, *, preset: Union[Preset, str] = Preset.DEFAULT,
+                guide: Union[Guide, str] = Guide.ADAPTIVE,
+                direct: Union[DirectLight, str] = DirectLight.DEFAULT,
+                roulette: Union[Roulette, str] = Roulette.DEFAULT, shadow_rays: int = 0,
+                max_lights: int = 0, seed: int = 0,
+                combination: Union[Combination, str] = Combination.DEFAULT,
+                points: Union[Points, str] = Points.DEFAULT, max_bytes: int = 0,
+                max_split: int = 0, lights: Union[LightChoice, str] = LightChoice.DEFAULT) -> Any:
+    """The C struct, which keeps that of the camera."""
+    _check.instance(camera, Camera, "camera")
+    desc = described(c.AWDRenderDesc)
+    desc.camera = ctypes.pointer(camera._described())
+    desc.preset = _check.enumerated(preset, Preset, "preset")
+    desc.guide = _check.enumerated(guide, Guide, "guide")
+    desc.direct = _check.enumerated(direct, DirectLight, "direct")
+    desc.roulette = _check.enumerated(roulette, Roulette, "roulette")
+    desc.shadowRays = _check.integer(shadow_rays, "shadow_rays")
+    desc.maxLights = _check.integer(max_lights, "max_lights")
+    desc.seed = _check.integer(seed, "seed", _check.UINT64)
+    desc.combination = _check.enumerated(combination, Combination, "combination")
+    desc.points = _check.enumerated(points, Points, "points")
+    desc.maxBytes = _check.integer(max_bytes, "max_bytes", _check.UINT64)
+    desc.maxSplit = _check.integer(max_split, "max_split")
+    desc.lights = _check.enumerated(lights, LightChoice, "lights")
+    return desc

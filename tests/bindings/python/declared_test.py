@@ -15,7 +15,7 @@ import headers
 import awd
 from awd import _c as c
 from awd import (_density, _device, _enums, _field, _figures, _image, _library, _objects, _render,
-                 _scene)
+                 _scene, _schedule)
 from awd._library import lib
 from awd.declared import declared
 
@@ -138,7 +138,8 @@ class Wrapped(unittest.TestCase):
 
     def test_every_function_is_used_or_known_not_to_be(self):
         used = "".join(inspect.getsource(module) for module in (
-            _density, _device, _field, _image, _library, _objects, _render, _scene))
+            _density, _device, _field, _image, _library, _objects, _render, _scene,
+            _schedule))
         left = {name for name in HEADER.functions if not re.search(rf"\blib\.{name}\b", used)}
         # Python counts references itself. A table of C functions comes from C. One item at a time
         # is what the functions for many do with one.

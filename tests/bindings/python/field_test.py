@@ -133,6 +133,35 @@ class Fields(unittest.TestCase):
         self.field.revert()
         self.assertEqual(self.field.save(), before)
 
+    def test_exchanging_parts_of_a_pass(self):
+        samples = self.field.sample(PATCH, UP, self.uniforms)
+        saved = self.field.save()
+        ranks = [awd.Field.load(self.device, saved) for _ in range(2)]
+        for rank in (*ranks, self.field):
+            rank.adapt()
+        for rank, items in zip(ranks, (slice(0, 15), slice(15, 40))):
+            rank.record(PATCH, samples[items], samples["pdf"][items])
+        self.field.record(PATCH, samples, samples["pdf"])
+        parts = [rank.export_records([PATCH, PATCH + 1]) for rank in ranks]
+        sums = parts[0].sums + parts[1].sums
+        maxima = np.maximum(parts[0].maxima, parts[1].maxima)
+        for rank in ranks:
+            rank.import_records(sums, maxima, [PATCH, PATCH + 1])
+            rank.adapt()
+        self.field.adapt()
+        for rank in ranks:
+            np.testing.assert_array_equal(rank.patch_coefficients(PATCH),
+                                          self.field.patch_coefficients(PATCH))
+        one = ranks[0]
+        self.assertEqual(parts[0].sums.dtype, np.uint64)
+        self.assertRaises(awd.InvalidArgument, one.export_records, [2, 1])
+        self.assertRaises(awd.InvalidArgument, one.import_records, sums[:-1], maxima, [PATCH])
+        self.assertRaises(TypeError, one.import_records, sums.astype(float), maxima, [PATCH])
+        self.assertRaises(ValueError, one.import_records, [-1], maxima, [PATCH])
+        spatial = awd.Field(self.device, lower=(0, 0, 0), upper=(1, 1, 1))
+        self.assertRaises(awd.InvalidArgument, spatial.export_records, [1])
+        spatial.import_records(*spatial.export_records())
+
     def test_spatial_patches_and_lights(self):
         field = awd.Field(self.device, lower=(-1, -1, -1), upper=(1, 1, 1), light_powers=[1, 3])
         found = field.find_patches([[0, 0, 0], [0.5, 0, 0]], UP)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders and their films."""
+import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -103,6 +105,75 @@ class Renders(unittest.TestCase):
         self.assertRaises(ValueError, self.render.run, quality="best")
         self.assertRaises(awd.InvalidArgument, self.render.run, passes=[1, 0])
         self.assertRaises(TypeError, self.render.run, passes=[1.5])
+
+    def test_going_on_from_a_checkpoint(self):
+        passes = [1, 2, 4, 4]
+        self.render.run(passes=passes)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "chéckpoint")
+            render = awd.Render(self.scene, CAMERA, seed=1)
+            render.run(passes=passes, resume=True, max_passes=2)
+            self.assertEqual(render.samples_per_pixel, 3)
+            render.save(path)
+            render.close()
+            loaded = awd.Render.load(self.scene, path)
+            self.assertEqual([p.samples_per_pixel for p in loaded.passes()], [1, 2])
+            loaded.run(passes=passes, resume=True)
+            np.testing.assert_array_equal(loaded.film(), self.render.film())
+            self.assertEqual(loaded.field.save(), self.render.field.save())
+            self.assertEqual(loaded.samples_per_pixel, sum(passes))
+            loaded.run(passes=passes, resume=True)  # nothing is left
+            self.assertEqual(loaded.samples_per_pixel, sum(passes))
+
+            same = awd.Field(self.scene)
+            awd.Render.load(self.scene, path, CAMERA, same, seed=1)
+            for camera, settings in ((CAMERA, {"seed": 2}), (CAMERA, {"seed": 1, "direct": "area"}),
+                                     (awd.Camera(width=24, height=16), {"seed": 1})):
+                self.assertRaises(awd.InvalidArgument, awd.Render.load, self.scene, path, camera,
+                                  **settings)
+            other = awd.Field(self.scene, basis="haar")
+            self.assertRaises(awd.InvalidArgument, awd.Render.load, self.scene, path, CAMERA, other,
+                              seed=1)
+            self.assertRaises(ValueError, awd.Render.load, self.scene, path, seed=1)
+            self.assertRaises(TypeError, awd.Render.load, self.scene, path, CAMERA, sed=1)
+            with open(path, "r+b") as file:
+                file.seek(100)
+                file.write(b"damage")
+            self.assertRaises(awd.FileError, awd.Render.load, self.scene, path)
+        self.assertRaises(OSError, awd.Render.load, self.scene, path)
+        self.assertRaises(OSError, self.render.save, "/nowhere/checkpoint")
+
+    def test_parts_of_passes(self):
+        schedule = {"passes": [1, 2, 4]}
+        self.render.run(**schedule)
+        ranks = [awd.Render(self.scene, CAMERA, seed=1) for _ in range(2)]
+        self.assertRaises(awd.InvalidOperation, ranks[0].export_pass)
+        while all([rank.run_part(i, 2, **schedule) for i, rank in enumerate(ranks)]):
+            parts = [rank.export_pass() for rank in ranks]
+            sums = parts[0].sums + parts[1].sums
+            maxima = np.maximum(parts[0].maxima, parts[1].maxima)
+            # A part that is there twice, or not at all.
+            self.assertRaises(awd.InvalidArgument, ranks[0].import_pass, *parts[0])
+            self.assertRaises(awd.InvalidArgument, ranks[0].import_pass, sums[1:], maxima)
+            figures = [rank.import_pass(sums, maxima) for rank in ranks]
+            self.assertEqual(figures[0].samples, figures[1].samples)
+        for rank in ranks:
+            np.testing.assert_array_equal(rank.film(), self.render.film())
+            self.assertEqual(rank.field.save(), self.render.field.save())
+        self.assertRaises(awd.InvalidArgument, ranks[0].run_part, 2, 2)
+        self.assertRaises(ValueError, ranks[0].run_part, -1, 2)
+
+    def test_a_field_that_is_used_before_the_import_is_refused_or_no_harm(self):
+        """The header forbids it; from Python it must not crash."""
+        for disturb in (awd.Field.adapt, awd.Field.revert, awd.Field.mark,
+                        lambda field: self.render.run_pass(1)):
+            self.render.run_part(0, 1, passes=[2] * 9)
+            disturb(self.render.field)
+            try:
+                self.render.import_pass(*self.render.export_pass())
+            except awd.Error:
+                pass
+            self.assertTrue(np.isfinite(self.render.film()).all())
 
     def test_settings(self):
         for settings in ({"guide": "cosine"}, {"guide": awd.Guide.UNIFORM, "direct": "area"},

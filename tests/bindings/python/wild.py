@@ -145,6 +145,8 @@ class World:
         self.points = np.full((4, 2), 0.25)
         self.render = awd.Render(self.scene, CAMERA, max_bytes=2**28)
         self.render.run_pass(2)
+        self.part = awd.Render(self.scene, CAMERA)
+        self.part.run_part(0, 1)
         self.image = awd.Image(self.device, 4, 3)
         self.image.set("Y", np.zeros((3, 4)))
 
@@ -186,6 +188,10 @@ class World:
         yield "Field.write", w.field.write, ("field",), {}
         yield "Field.save", w.field.save, (), {}
         yield "Field.merge", w.field.merge, (awd.Field.load(w.device, w.field.save()),), {}
+        records = w.field.export_records([3])
+        yield "Field.export_records", w.field.export_records, ([3],), {}
+        yield "Field.import_records", w.field.import_records, (*records, [3]), {}
+        yield "Field.import_records", w.spatial.import_records, w.spatial.export_records(), {}
         yield "Field.find_patches", w.spatial.find_patches, (VERTICES, UP, np.zeros(8, "u4")), {}
         for field in (w.field, w.spatial, w.paper):
             samples = field.sample(3, UP, np.full((4, 3), 0.5))
@@ -244,8 +250,16 @@ class World:
             combination=0, points=0, max_bytes=0, max_split=0, lights=0)
         yield "Render.run_pass", w.render.run_pass, (1,), dict(progress=stop())
         yield "Render.run", w.render.run, (), dict(samples=2, seconds=0.0, error=0.0, passes=None,
-                                                   quality=None, progress=stop())
+                                                   quality=None, resume=False, max_passes=0,
+                                                   progress=stop())
         yield "Render.run", w.render.run, (), dict(passes=[1, 1], progress=stop())
+        yield "Render.run_part", w.render.run_part, (0, 1), dict(
+            samples=0, error=0.0, passes=[2] * 9, quality=None, progress=stop())
+        yield "Render.export_pass", w.part.export_pass, (), {}
+        yield "Render.import_pass", w.part.import_pass, w.part.export_pass(), {}
+        yield "Render.save", w.render.save, ("checkpoint",), {}
+        yield "Render.load", awd.Render.load, (w.scene, "/nowhere", CAMERA, w.spatial), dict(
+            preset=0, seed=0)
         yield "Render.film", w.render.film, (1, film), {}
         for name in ("image", "error", "passes", "statistics"):
             yield f"Render.{name}", getattr(w.render, name), (), {}
@@ -341,8 +355,8 @@ def main():
 
 
 # Rightly called they fail, for want of a file, or of light.
-MAY_FAIL = {"Device.load_basis", "check_basis", "Field.read", "Image.read", "Scene.commit",
-            "Scene.info", "Density.refine"}
+MAY_FAIL = {"Device.load_basis", "check_basis", "Field.read", "Image.read", "Render.load",
+            "Scene.commit", "Scene.info", "Density.refine"}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -136,3 +136,6 @@ function("awdLoadField", AWDResult, AWDDevice, Array, c_size_t, POINTER(AWDField
 function("awdWriteField", AWDResult, AWDField, c_char_p)
 function("awdReadField", AWDResult, AWDDevice, c_char_p, POINTER(AWDField))
 function("awdMergeField", AWDResult, AWDField, AWDField)
+function("awdExportField", AWDResult, AWDField, Array, c_size_t, Array, c_size_t, POINTER(c_size_t),
+         POINTER(c_size_t))
+function("awdImportField", AWDResult, AWDField, Array, c_size_t, Array, c_size_t)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """awd/render.h"""
-from ctypes import POINTER, Structure, c_double, c_float, c_int32, c_size_t, c_uint32, c_uint64
+from ctypes import (POINTER, Structure, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32,
+                    c_uint64)
 
 from ._declare import Array, function
 from .types import AWDCombination, AWDField, AWDPreset, AWDRender, AWDResult, AWDScene
@@ -100,10 +101,20 @@ class AWDSchedule(Structure):
         ("totalSamples", c_uint32),
         ("seconds", c_double),
         ("error", c_double),
+        ("resume", c_int32),
+        ("maxPasses", c_uint32),
     ]
 
 
 function("awdRenderPasses", AWDResult, AWDRender, POINTER(AWDSchedule))
+function("awdSaveRender", AWDResult, AWDRender, c_char_p)
+function("awdLoadRender", AWDResult, AWDScene, c_char_p, AWDField, POINTER(AWDRenderDesc),
+         POINTER(AWDRender))
+function("awdRenderPassPart", AWDResult, AWDRender, POINTER(AWDSchedule), c_uint32, c_uint32,
+         POINTER(c_uint32))
+function("awdExportPass", AWDResult, AWDRender, Array, c_size_t, POINTER(c_size_t),
+         POINTER(c_size_t))
+function("awdImportPass", AWDResult, AWDRender, Array, c_size_t, POINTER(AWDPassStatistics))
 AWDQuality = c_int32
 AWD_QUALITY_DRAFT = 1
 AWD_QUALITY_NORMAL = 2
