@@ -72,6 +72,21 @@ AWDResult AWD_CALL awdRenderPass(AWDRender, uint32_t, AWDPassStatistics*) noexce
 AWDResult AWD_CALL awdRenderPasses(AWDRender, const AWDSchedule*) noexcept {
   return refuse(__func__);
 }
+AWDResult AWD_CALL awdSaveRender(AWDRender, const char*) noexcept { return refuse(__func__); }
+AWDResult AWD_CALL awdLoadRender(AWDScene, const char*, AWDField, const AWDRenderDesc*,
+                                 AWDRender* render) noexcept {
+  return refuse(__func__, render);
+}
+AWDResult AWD_CALL awdRenderPassPart(AWDRender, const AWDSchedule*, uint32_t, uint32_t,
+                                     uint32_t*) noexcept {
+  return refuse(__func__);
+}
+AWDResult AWD_CALL awdExportPass(AWDRender, uint64_t*, size_t, size_t*, size_t*) noexcept {
+  return refuse(__func__);
+}
+AWDResult AWD_CALL awdImportPass(AWDRender, const uint64_t*, size_t, AWDPassStatistics*) noexcept {
+  return refuse(__func__);
+}
 AWDResult AWD_CALL awdGetQualitySchedule(AWDQuality, AWDSchedule*) noexcept {
   return refuse(__func__);
 }
