@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "basis/module.h"
 #include "density/density.h"
 #include "density/leaf_sampler.h"
 #include "density/refit_bytes.h"
@@ -19,8 +20,6 @@ namespace {
 constexpr char kDensityMagic[] = "AWDDENSI";
 constexpr char kStatisticsMagic[] = "AWDSTATI";
 constexpr uint32_t kVersion = 1;
-constexpr uint32_t kMostHalvings = 30;
-constexpr std::size_t kLongestName = 64;
 
 void putSettings(ByteWriter& writer, const DensitySettings& settings, const DensityBases& bases) {
   const LearningSettings& learning = settings.learning;

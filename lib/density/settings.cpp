@@ -15,7 +15,6 @@ namespace {
 constexpr uint64_t kPassSamples = 1024;
 constexpr uint64_t kMaxCoefficients = 65536;
 constexpr uint64_t kMostCoefficients = uint64_t{1} << 30;
-constexpr uint32_t kMostHalvings = 30;
 constexpr uint32_t kTreeHalvings = 20;
 /// A tree starts with so many boxes that each gets that many samples of the first pass.
 constexpr uint64_t kSamplesPerStartBox = 8;

@@ -7,6 +7,9 @@
 
 namespace awd {
 
+/// Of a box, along an axis.
+constexpr uint32_t kMostHalvings = 30;
+
 struct DensitySettings {
   uint32_t dimensions = 0;
   AWDDensityStructure structure = AWD_STRUCTURE_GRID;

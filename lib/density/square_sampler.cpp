@@ -9,7 +9,7 @@ namespace awd {
 namespace {
 
 /// What floats can't square is as good as nothing: no cell has a mass whose density is 0.
-constexpr double kLeastCoefficient = 1e-30;
+constexpr double kLeastSquarable = 1e-30;
 
 /// int of a function over a cell, times their number: the mean of its Bernstein coefficients.
 template <uint32_t O>
@@ -51,7 +51,7 @@ SquareSampler::SquareSampler(const BasisLevel& level, const std::pmr::vector<dou
   float* marginals = tables_.data() + cells;
   float* rows = marginals + n;
   for (std::size_t i = 0; i < n * n; ++i) {
-    rows[i] = coefficients[i] < kLeastCoefficient ? 0.0f : static_cast<float>(coefficients[i]);
+    rows[i] = coefficients[i] < kLeastSquarable ? 0.0f : static_cast<float>(coefficients[i]);
   }
   for (std::size_t j = 0; j < n; ++j) {
     double mass = 0.0;

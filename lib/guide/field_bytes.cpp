@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "basis/module.h"
 #include "guide/field.h"
 #include "util/error.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr char kMagic[] = "AWDFIELD";
 constexpr uint32_t kVersion = 2;
-constexpr std::size_t kLongestName = 64;
 constexpr uint32_t kMostSplits = 1u << 28;
 /// Of units, with room for that of any double.
 constexpr int32_t kFarthestExponent = 1200;

@@ -10,7 +10,7 @@ namespace {
 
 /// Share of the prior, and how many shadow rays it counts for beside those of the patch.
 constexpr double kPriorShare = 0.05;
-constexpr double kPriorSamples = 32.0;
+constexpr double kPriorRays = 32.0;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ Ref<LightChoice> LightChoice::learn(const LightChoice& prior, const LightSums& s
     weights += weight;
   }
   const bool lit = roots > 0.0 && std::isfinite(roots);
-  const double trust = (1.0 - kPriorShare) * weights / (weights + kPriorSamples);
+  const double trust = (1.0 - kPriorShare) * weights / (weights + kPriorRays);
   for (uint32_t i = 0; i < lights(); ++i) {
     const double before = static_cast<double>(prior.chance(i));
     shares[i] = lit ? trust * (shares[i] / roots) + (1.0 - trust) * before : before;
@@ -90,12 +90,12 @@ void LightChoice::put(ByteWriter& writer) const {
 
 Ref<LightChoice> LightChoice::get(ByteReader& reader, std::pmr::memory_resource* memory,
                                   std::size_t lights) {
-  constexpr double kLargest = std::numeric_limits<double>::max();
+  constexpr double kLargestWeight = std::numeric_limits<double>::max();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();  // of sums beyond doubles
   auto choice = Ref<LightChoice>::adopt(awd::make<LightChoice>(memory, memory, lights));
   for (Known& light : choice->known_) {
     light.square = reader.get(0.0, kInfinity);
-    light.weight = reader.get(0.0, kLargest);
+    light.weight = reader.get(0.0, kLargestWeight);
   }
   double before = 0.0;
   for (double& end : choice->ends_) before = end = reader.get(before, 1.0);

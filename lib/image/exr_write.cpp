@@ -86,8 +86,8 @@ void writeExr(const Image& image, const char* path) {
   AtomicFile file(path);
   AtomicStream stream(file);
   try {
-    constexpr int kInThisThread = 0;
-    Imf::OutputFile output(stream, makeHeader(image), kInThisThread);
+    constexpr int kOtherThreads = 0;
+    Imf::OutputFile output(stream, makeHeader(image), kOtherThreads);
     output.setFrameBuffer(makeFrameBuffer(image));
     output.writePixels(static_cast<int>(image.height()));
   } catch (const std::bad_alloc&) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kWidth = 64, kQuickWidth = 32;  // pixels
 /// Ceres takes so much longer that it gets the first seeds and one basis alone.
-constexpr int kCeresSeeds = 2;
+constexpr int kCeresSceneSeeds = 2;
 constexpr const char* kBases[] = {"haar", "linear-bspline"};
 
 /// What is compared in a scene: no basis means unguided.
@@ -87,7 +87,7 @@ std::vector<Row> measureScenes(const std::vector<Method>& methods, SceneOptions 
       for (int seed = 1; seed <= options.seeds; ++seed) {
         for (std::size_t i = 0; i < all.size(); ++i) {
           if (!watch(done++, images)) return rows;
-          if (isCeres(all[i]) && (seed > kCeresSeeds || all[i].basis == kBases[0])) continue;
+          if (isCeres(all[i]) && (seed > kCeresSceneSeeds || all[i].basis == kBases[0])) continue;
           Shot shot = {};
           if (!shoot(loaded, settingsOf(all[i]), samples, static_cast<uint64_t>(seed), shot)) {
             return rows;

@@ -9,7 +9,7 @@
 namespace bench::trade {
 namespace {
 
-double figure(const Row& row, const char* key) {
+double number(const Row& row, const char* key) {
   return row.contains(key) ? row[key].get<double>() : std::nan("");
 }
 
@@ -19,9 +19,9 @@ void markFront(std::vector<Row>& rows, const char* mark, const ErrorKind& error,
                const std::vector<const char*>& costs) {
   std::vector<std::vector<double>> points;
   for (const Row& row : rows) {
-    const double e = figure(row, error.key);
+    const double e = number(row, error.key);
     points.push_back({e > 0.0 ? e : std::nan("")});
-    for (const char* cost : costs) points.back().push_back(figure(row, cost));
+    for (const char* cost : costs) points.back().push_back(number(row, cost));
   }
   const std::vector<bool> front = paretoFront(points);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i][mark] = static_cast<bool>(front[i]);
@@ -32,7 +32,7 @@ std::vector<CostPoint> pointsOf(const std::vector<Row>& rows, const std::string&
   std::vector<CostPoint> points;
   for (const Row& row : rows) {
     if (row["method"] == method)
-      points.push_back({figure(row, "cpu_seconds"), figure(row, error.key)});
+      points.push_back({number(row, "cpu_seconds"), number(row, error.key)});
   }
   std::sort(points.begin(), points.end(),
             [](const CostPoint& a, const CostPoint& b) { return a.seconds < b.seconds; });

@@ -12,7 +12,7 @@ namespace {
 
 using namespace awd;
 
-std::string complaint(const AWDBasisFamily& family) {
+std::string failedSentence(const AWDBasisFamily& family) {
   const std::vector<Check> checks = selfTest(family);
   const Check* failure = firstFailure(checks);
   return failure ? failure->sentence() : "";
@@ -59,7 +59,7 @@ TEST(SelfTest, TheTableIsLookedAtBeforeItIsCalled) {
   const auto refused = [](void (*change)(AWDBasisFamily&), const char* sentence) {
     AWDBasisFamily family = test::linear();
     change(family);
-    EXPECT_EQ(complaint(family), sentence);
+    EXPECT_EQ(failedSentence(family), sentence);
   };
   const char* const names = "name does not match ^[a-z][a-z0-9_.-]{0,63}$";
   refused([](AWDBasisFamily& f) { f.name = nullptr; }, names);
@@ -89,25 +89,26 @@ TEST(SelfTest, TheTableIsLookedAtBeforeItIsCalled) {
 TEST(SelfTest, SizesThatWouldEatTheMemoryAreRefused) {
   AWDBasisFamily family = test::linear();
   family.cells = [](uint32_t level) { return level == 7 ? 0x80000000u : 1u << level; };
-  EXPECT_EQ(complaint(family), "cells out of range: level 7: got 2147483648, want 1 to 2097152");
+  EXPECT_EQ(failedSentence(family),
+            "cells out of range: level 7: got 2147483648, want 1 to 2097152");
   family.cells = [](uint32_t) { return 0u; };
-  EXPECT_EQ(complaint(family), "cells out of range: level 0: got 0, want 1 to 4096");
+  EXPECT_EQ(failedSentence(family), "cells out of range: level 0: got 0, want 1 to 4096");
   family = test::linear();
   family.count = [](uint32_t level) { return (2u << level) + 1; };
-  EXPECT_EQ(complaint(family), "count out of range: level 0: got 3, want 1 to 2");
+  EXPECT_EQ(failedSentence(family), "count out of range: level 0: got 3, want 1 to 2");
   family.count = [](uint32_t) { return 0u; };
-  EXPECT_EQ(complaint(family), "count out of range: level 0: got 0, want 1 to 2");
+  EXPECT_EQ(failedSentence(family), "count out of range: level 0: got 0, want 1 to 2");
   family = test::linear();
   family.minLevel = 13;
-  EXPECT_EQ(complaint(family), "cells out of range: level 13: got 8192, want 1 to 4096");
+  EXPECT_EQ(failedSentence(family), "cells out of range: level 13: got 8192, want 1 to 4096");
 }
 
 TEST(SelfTest, LevelsThatBeginFurtherUp) {
   AWDBasisFamily family = test::linear();
   family.minLevel = 10;
-  EXPECT_EQ(complaint(family), "");
+  EXPECT_EQ(failedSentence(family), "");
   family.minLevel = family.maxLevel = 12;
-  EXPECT_EQ(complaint(family), "");
+  EXPECT_EQ(failedSentence(family), "");
 }
 
 TEST(SelfTest, WorkIsBounded) {
@@ -118,7 +119,7 @@ TEST(SelfTest, WorkIsBounded) {
     ++calls;
     return test::linear().eval(level, x, first, values);
   };
-  EXPECT_EQ(complaint(family), "");
+  EXPECT_EQ(failedSentence(family), "");
   EXPECT_LT(calls, 200000u);
 }
 

@@ -12,8 +12,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 constexpr double kEnds[] = {0.0, 0x1p-1074, 0x1p-53, 0.5, 1.0 - 0x1p-53};
 
 double mass(const BasisLevel* level, const Coefficients& c, double upTo) {

@@ -14,9 +14,7 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
-constexpr double kEnds[] = {0.0, 0x1p-1074, 0x1p-53, 0.5, 1.0 - 0x1p-53};
+constexpr double kEdges[] = {0.0, 0x1p-1074, 0x1p-53, 0.5, 1.0 - 0x1p-53};
 
 /// Leaves of random coefficients, of several sizes, with zeros but none without mass.
 struct Leaves {
@@ -64,7 +62,7 @@ void compareWithAny(const std::vector<const char*>& names, Uniforms& random) {
     for (std::size_t i = 0; i < kBlock; ++i) {
       block.leaf[i] = static_cast<uint32_t>(random() * leaves.tree.leaves());
       for (uint32_t a = 0; a < D; ++a) {
-        block.u[a][i] = round < 2 ? kEnds[static_cast<std::size_t>(5.0 * random())] : random();
+        block.u[a][i] = round < 2 ? kEdges[static_cast<std::size_t>(5.0 * random())] : random();
       }
     }
     sampler.sample(from, kBlock, block, points, nullptr);
@@ -115,7 +113,7 @@ TEST(LeafSampler, ASampleTellsThePdfOfItsPointInAnyBatch) {
     const Ref<TreeDensity> density = TreeDensity::make(memory(), leaves.levels, leaves.tree,
                                                        leaves.coefficients, Scale::toIntegral);
     std::vector<double> u(2 * kSamples), points(u.size()), pdfs(kSamples), again(kSamples);
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = i < 10 ? kEnds[i / 2] : random();
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = i < 10 ? kEdges[i / 2] : random();
     density->sample(kSamples, u.data(), points.data(), pdfs.data(), nullptr);
     density->pdf(kSamples, points.data(), again.data());
     EXPECT_EQ(pdfs, again) << names[0];

@@ -23,6 +23,8 @@ const AWDBasisModule* quadraticModule(const AWDBasisHost* host);
 
 namespace awd {
 
+inline std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
+
 /// A table of a plugin or of tests/plugins/honest.c by name.
 inline const AWDBasisFamily& table(const char* name) {
   static const AWDBasisHost host = {sizeof(AWDBasisHost), AWD_BASIS_ABI, AWD_VERSION};

@@ -12,8 +12,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// Every N_j at a point, all others 0.
 template <uint32_t D>
 std::vector<double> valuesAt(const Shape& shape, const AxisValues* at) {

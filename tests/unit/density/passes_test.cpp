@@ -6,10 +6,10 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "density/levels.h"
+
 namespace awd {
 namespace {
-
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
 
 /// A pass of these f/p; cross: for each earlier pass the mean of f^2 / (p_k p).
 PassSums sums(std::initializer_list<double> ratios, std::initializer_list<double> cross = {}) {

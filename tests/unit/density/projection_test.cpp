@@ -13,8 +13,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// c up to a common factor, so that c[reference] is as given.
 std::pmr::vector<double> scaledTo(std::pmr::vector<double> c, std::size_t reference, double value) {
   const double factor = value / c[reference];

@@ -17,8 +17,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// Samples of f on one axis, from the density p = 1/2 + x.
 class Refit : public testing::Test {
  protected:

@@ -15,8 +15,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 TEST(SquareStatistics, CountsAndSums) {
   SquareStatistics statistics(memory(), 2, SquareStatistics::unitExponentFor(1.0));
   statistics.record(0, 1.5);

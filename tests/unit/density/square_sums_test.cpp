@@ -14,8 +14,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 struct Record {
   float u, v;
   double p, f;

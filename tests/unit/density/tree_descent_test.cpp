@@ -10,8 +10,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// A tree of 50 leaves of several depths, some of no mass.
 struct Case {
   explicit Case(uint32_t dimensions, Uniforms& random) : tree(memory(), dimensions) {

@@ -11,8 +11,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// Four leaves of different sizes: matrices of all nodes against sums over the samples in each, of
 /// that node's own functions.
 void compareOn(const char* first, const char* second) {

@@ -15,8 +15,6 @@
 namespace awd {
 namespace {
 
-std::pmr::memory_resource* memory() { return std::pmr::get_default_resource(); }
-
 /// Random leaves are halved along random axes.
 Tree someTree(uint32_t dimensions, std::size_t leaves, Uniforms& random) {
   Tree tree(memory(), dimensions);

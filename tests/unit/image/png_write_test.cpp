@@ -14,14 +14,14 @@ namespace {
 
 using test::errorOf;
 
-using Colour = std::array<int, 3>;
+using Pixel = std::array<int, 3>;
 
 class PngWrite : public test::ImageTest {
  protected:
   std::string file() const { return path("image.png"); }
 
   /// Writes and has libpng read it again: the colours of all pixels.
-  std::vector<Colour> shown(const Image& image, float exposure = 0) {
+  std::vector<Pixel> shown(const Image& image, float exposure = 0) {
     writePng(image, file().c_str(), exposure);
     png_image png = {};
     png.version = PNG_IMAGE_VERSION;
@@ -31,7 +31,7 @@ class PngWrite : public test::ImageTest {
     EXPECT_EQ(png.height, image.height());
     std::vector<png_byte> bytes(PNG_IMAGE_SIZE(png));
     EXPECT_TRUE(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr)) << png.message;
-    std::vector<Colour> colours;
+    std::vector<Pixel> colours;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
       colours.push_back({bytes[i], bytes[i + 1], bytes[i + 2]});
     }
@@ -57,10 +57,10 @@ TEST_F(PngWrite, EncodesColoursInSrgb) {
   const auto colours = shown(*image);
   ASSERT_EQ(colours.size(), red.size());
   for (std::size_t i = 0; i < red.size(); ++i) {
-    EXPECT_EQ(colours[i], (Colour{expected[i], 0, 137})) << red[i];
+    EXPECT_EQ(colours[i], (Pixel{expected[i], 0, 137})) << red[i];
   }
-  EXPECT_EQ(shown(*image, -1)[1], (Colour{188, 0, 99}));
-  EXPECT_EQ(shown(*image, 2)[3], (Colour{221, 0, 255}));
+  EXPECT_EQ(shown(*image, -1)[1], (Pixel{188, 0, 99}));
+  EXPECT_EQ(shown(*image, 2)[3], (Pixel{221, 0, 255}));
 }
 
 TEST_F(PngWrite, KeepsRowsInOrder) {
@@ -73,17 +73,17 @@ TEST_F(PngWrite, KeepsRowsInOrder) {
 }
 
 TEST_F(PngWrite, ShowsOneChannelInFalseColours) {
-  const Colour dark = {1, 6, 45}, middle = {198, 76, 117}, bright = {251, 247, 224};
-  const Colour black = {0, 0, 0};
+  const Pixel dark = {1, 6, 45}, middle = {198, 76, 117}, bright = {251, 247, 224};
+  const Pixel black = {0, 0, 0};
   const Ref<Image> image = row("Y", {0, 3e-20f, 6e-20f, -1, NAN, kInfinity});
   image->setChannel("Z", std::vector<float>(6, 1.0f).data());  // not the first
-  EXPECT_EQ(shown(*image), (std::vector<Colour>{dark, middle, bright, dark, black, bright}));
+  EXPECT_EQ(shown(*image), (std::vector<Pixel>{dark, middle, bright, dark, black, bright}));
   EXPECT_EQ(shown(*image, 1)[1], bright);
   EXPECT_EQ(shown(*image, -1)[2], middle);
-  EXPECT_EQ(shown(*row("Y", {0, 0})), (std::vector<Colour>{dark, dark}));
-  EXPECT_EQ(shown(*row("Y", {-3, -1})), (std::vector<Colour>{dark, dark}));
-  EXPECT_EQ(shown(*row("R", {1, 0})), (std::vector<Colour>{bright, dark}));
-  EXPECT_EQ(shown(*row("Y", {1e-44f, 3e38f})), (std::vector<Colour>{dark, bright}));
+  EXPECT_EQ(shown(*row("Y", {0, 0})), (std::vector<Pixel>{dark, dark}));
+  EXPECT_EQ(shown(*row("Y", {-3, -1})), (std::vector<Pixel>{dark, dark}));
+  EXPECT_EQ(shown(*row("R", {1, 0})), (std::vector<Pixel>{bright, dark}));
+  EXPECT_EQ(shown(*row("Y", {1e-44f, 3e38f})), (std::vector<Pixel>{dark, bright}));
 }
 
 TEST_F(PngWrite, RefusesWhatItCantWrite) {

@@ -12,8 +12,6 @@
 namespace awd {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
-
 std::pmr::vector<Vec3f> soup(int triangles, uint64_t seed) {
   Uniforms random(seed);
   const auto point = [&] { return Vec3f{float(random()), float(random()), float(random())}; };

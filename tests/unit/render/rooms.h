@@ -3,12 +3,15 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "basis/device.h"
 #include "render/scene.h"
 
 namespace awd {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
 
 inline Ref<Device> device(uint32_t threads = 1) {
   AWDDeviceDesc desc = AWD_DEVICE_DESC_INIT;

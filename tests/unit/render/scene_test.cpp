@@ -4,15 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "render/rooms.h"
 #include "util/error.h"
 
 namespace awd {
 namespace {
-
-constexpr float kFar = std::numeric_limits<float>::infinity();
 
 TEST(Scene, AnswersInHostCoordinates) {
   for (const float scale : {1e-3f, 1.0f, 1e3f}) {
