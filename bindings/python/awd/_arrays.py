@@ -50,12 +50,14 @@ def as_array(value: Any, dtype: "np.dtype[Any]", name: str) -> Array:
     if array.dtype.kind not in ("iu" if dtype.kind == "u" else "iuf"):
         raise TypeError(f"{name} has dtype {array.dtype}: it must be {dtype}, or convertible "
                         "without loss of kind")
-    if dtype.kind == "u" and array.size > 0:
+    # First, so that a view of more items than there is memory is not looked through for ages.
+    with np.errstate(over="ignore"):  # infinity, which the library judges
+        made = array.astype(dtype)
+    if dtype.kind == "u" and array.size > 0 and not np.can_cast(array.dtype, dtype):
         low, high, most = int(array.min()), int(array.max()), int(np.iinfo(dtype).max)
         if low < 0 or high > most:
             raise ValueError(f"{name} has {low if low < 0 else high}: it must be from 0 to {most}")
-    with np.errstate(over="ignore"):  # infinity, which the library judges
-        return array.astype(dtype)
+    return made
 
 
 def shaped(array: Array, shape: tuple[int, ...], name: str) -> Array:

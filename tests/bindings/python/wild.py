@@ -84,6 +84,7 @@ def arrays():
     yield np.broadcast_to(np.float32(1), (4, 3))
     yield np.broadcast_to(np.float32(1), (2**45, 3))
     yield np.broadcast_to(np.uint32(1), 2**45)
+    yield np.broadcast_to(np.int64(1), 2**45)
     yield np.ma.masked_all((4, 3))
     yield np.matrix(VERTICES)
     yield VERTICES.view(Subclass)
@@ -145,7 +146,7 @@ class World:
         self.points = np.full((4, 2), 0.25)
         self.render = awd.Render(self.scene, CAMERA, max_bytes=2**28)
         self.render.run_pass(2)
-        self.part = awd.Render(self.scene, CAMERA)
+        self.part, self.again = (awd.Render(self.scene, CAMERA) for _ in range(2))
         self.part.run_part(0, 1)
         self.image = awd.Image(self.device, 4, 3)
         self.image.set("Y", np.zeros((3, 4)))
@@ -253,7 +254,7 @@ class World:
                                                    quality=None, resume=False, max_passes=0,
                                                    progress=stop())
         yield "Render.run", w.render.run, (), dict(passes=[1, 1], progress=stop())
-        yield "Render.run_part", w.render.run_part, (0, 1), dict(
+        yield "Render.run_part", w.again.run_part, (0, 1), dict(
             samples=0, error=0.0, passes=[2] * 9, quality=None, progress=stop())
         yield "Render.export_pass", w.part.export_pass, (), {}
         yield "Render.import_pass", w.part.import_pass, w.part.export_pass(), {}
