@@ -12,7 +12,7 @@ namespace {
 
 constexpr char kMagic[] = "AWDRENDR";
 constexpr uint32_t kVersion = 1;
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kMostSeconds = std::numeric_limits<double>::max();
 /// Of the settings and of a pass, at most.
 constexpr std::size_t kHead = 512;
 constexpr std::size_t kPass = 96;
@@ -84,8 +84,8 @@ void put(ByteWriter& writer, const AWDPassStatistics& pass) {
 
 AWDPassStatistics getPass(ByteReader& reader) {
   AWDPassStatistics pass = AWD_PASS_STATISTICS_INIT;
-  pass.cpuSeconds = reader.get(0.0, kLargest);
-  pass.wallSeconds = reader.get(0.0, kLargest);
+  pass.cpuSeconds = reader.get(0.0, kMostSeconds);
+  pass.wallSeconds = reader.get(0.0, kMostSeconds);
   for (uint64_t* figure : {&pass.samplesPerPixel, &pass.samples, &pass.rays, &pass.shadowRays,
                            &pass.patches, &pass.coefficients, &pass.bytes, &pass.rejectedSamples}) {
     *figure = reader.get<uint64_t>();

@@ -8,7 +8,7 @@ namespace awd {
 
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargestSum = std::numeric_limits<double>::max();
 
 void put(ByteWriter& writer, const Vec3d& sums) {
   for (const double sum : {sums.x, sums.y, sums.z}) writer.put(sum);
@@ -17,7 +17,7 @@ void put(ByteWriter& writer, const Vec3d& sums) {
 /// Radiance is not negative, nor is any sum of it.
 Vec3d getSums(ByteReader& reader) {
   Vec3d sums;
-  for (double* sum : {&sums.x, &sums.y, &sums.z}) *sum = reader.get(0.0, kLargest);
+  for (double* sum : {&sums.x, &sums.y, &sums.z}) *sum = reader.get(0.0, kLargestSum);
   return sums;
 }
 
@@ -36,7 +36,7 @@ void Film::put(ByteWriter& writer) const {
 void Film::get(ByteReader& reader) {
   samples_ = reader.get<uint64_t>();
   for (double* sum : {&weights_, &squaredWeights_, &evenWeights_}) {
-    *sum = reader.get(0.0, kLargest);
+    *sum = reader.get(0.0, kLargestSum);
   }
   if ((samples_ == 0) != (weights_ == 0.0) || evenWeights_ > weights_) reader.damaged();
   for (Pixel& pixel : pixels_) {
