@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! awd/render.h: the renderer, its schedules and its film.
 
-use std::os::raw::{c_char, c_void};
+use std::os::raw::c_char;
 
 use crate::field::AWDFieldDesc;
 use crate::types::*;
