@@ -55,6 +55,8 @@ fn parts_make_the_whole() {
     for rank in &mut ranks {
         let film = rank.film(FilmLayer::Radiance).unwrap();
         assert_eq!(film, whole.film(FilmLayer::Radiance).unwrap());
+        let learned = rank.field_mut().unwrap().save().unwrap();
+        assert!(learned == whole.field_mut().unwrap().save().unwrap(), "fields differ");
         assert!(rank.import_pass(&[1, 2, 3]).is_err());
     }
 }
