@@ -37,13 +37,14 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
       part.known->weight = part.weight;
       part.known->lightShare =
-          whole.weight > 0.0 ? whole.lightShare * part.weight / whole.weight : whole.lightShare;
+          whole.weight > 0.0 ? whole.lightShare * (part.weight / whole.weight) : whole.lightShare;
     };
     parts.push_back({next.key, &next.known, 0, SpatialTree::kEighths, all, whole.weight});
     while (!parts.empty()) {
       Part part = parts.back();
       parts.pop_back();
-      const bool large = part.weight > mostSamples && part.eighths > 1;
+      // None are counted where shadow rays alone fell since counts began anew.
+      const bool large = part.weight > mostSamples && part.eighths > 1 && part.samples > 0;
       if (!large || !tree.canSplit(part.leaf)) {
         settle(part);
         continue;
@@ -63,7 +64,9 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       const uint32_t keeper = counts[0] > 0 ? 0 : 1;
       const uint32_t other = tree.split(part.leaf, keeper);
       const auto share = [&](uint32_t side) {
-        return part.weight * static_cast<double>(counts[side]) / static_cast<double>(part.samples);
+        // No more than the whole, even by rounding.
+        return part.weight *
+               (static_cast<double>(counts[side]) / static_cast<double>(part.samples));
       };
       parts.push_back({part.leaf, part.known, part.firstEighth + keeper * half, half,
                        counts[keeper], share(keeper)});

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "field/saved.h"
 #include "field/trained.h"
 #include "support/expect.h"
 
@@ -88,6 +89,49 @@ TEST(SpatialPatches, AreMadeWhereSamplesLandAndSplitWhereTheyAreMany) {
   // Off the plane nothing is known; below it another tree looks down.
   const float down[3] = {0, 0, -1};
   EXPECT_FLOAT_EQ(density(field, find(field, 0.2f, 0.5f, 0.5f, down), 0), 1.0f);
+}
+
+/// A patch that is still too large after its three halvings of a pass, and then is met by shadow
+/// rays alone: where in it samples fell is not known any more, and it stays whole until it is.
+TEST(SpatialPatches, StayWholeWhenOnlyLightsAreRecorded) {
+  const Device device = newDevice(1u);
+  AWDFieldDesc desc = unitBox();
+  desc.lightCount = 2;
+  const Field field = newField(device, &desc);
+  recordPlane(field, 10000, 60);
+  adapt(field);
+  ASSERT_EQ(countPatches(field), 4u);
+  const uint32_t patch = find(field, 0.9f, 0.9f);
+  must(awdRecordLight(field, patch, 1, 1.0));
+  adapt(field);
+  EXPECT_EQ(countPatches(field), 4u);
+  EXPECT_EQ(find(field, 0.9f, 0.9f), patch);
+  // What is no number could not be loaded.
+  EXPECT_TRUE(sameBytes(field, loaded(device, saved(field))));
+}
+
+/// All samples of a patch in one of its halves: that half has the weight of the whole, not more by
+/// a rounding, whatever that is. Weights that are no integers come with a second split.
+TEST(SpatialPatches, WeighNoMoreThanTheWhole) {
+  const Device device = newDevice(1u);
+  AWDFieldDesc desc = unitBox();
+  desc.lightCount = 2;
+  desc.patchSamples = 50;
+  for (uint32_t n = 0; n < 40; ++n) {
+    const Field field = newField(device, &desc);
+    Random random(n);
+    for (const double width : {1.0, 0.2, 0.0, 0.0}) {
+      for (uint32_t i = 0; i < 170 + n; ++i) {
+        const auto x = static_cast<float>(0.1 + width * random.uniform());
+        const uint32_t patch = find(field, x, 0.1f);
+        const AWDDirectionSample sample = draw(field, patch, kUp, random);
+        must(awdRecordField(field, patch, &sample, 1.0));
+        must(awdRecordLight(field, patch, 1, 1.0));
+      }
+      adapt(field);
+    }
+    ASSERT_TRUE(sameBytes(field, loaded(device, saved(field)))) << n;
+  }
 }
 
 /// Where a fourth of the samples brings f/p = 12 and the others nothing, the mean is 3.
