@@ -14,6 +14,7 @@
 #include "basis/library_folder.h"
 #include "basis/module.h"
 #include "basis/self_test.h"
+#include "basis/trust.h"
 
 namespace awd {
 
@@ -148,14 +149,8 @@ Registry::Folder Registry::searchFolder(const std::string& path) {
 
 void Registry::searchFile(const std::string& file) {
   try {
-    struct stat status = {};
-    if (stat(file.c_str(), &status) != 0) {
-      fail(AWD_ERROR_PLUGIN_LOAD, "can't be read: %s", std::strerror(errno));
-    }
-    if (!S_ISREG(status.st_mode)) fail(AWD_ERROR_PLUGIN_LOAD, "is not a file");
-    if (status.st_mode & S_IWOTH) {
-      fail(AWD_ERROR_PLUGIN_LOAD, "anybody may write to it: take that right away (chmod o-w)");
-    }
+    const std::string why = distrust(file);
+    if (!why.empty()) fail(AWD_ERROR_PLUGIN_LOAD, "%s", why.c_str());
     const auto module = std::make_shared<Module>(file.c_str());
     const AWDBasisModule& table = module->table();
     const bool again = std::any_of(candidates_.begin(), candidates_.end(), [&](const auto& other) {

@@ -2,14 +2,13 @@
 #include "density/refit_solvers.h"
 
 #include <dlfcn.h>
-#include <sys/stat.h>
 
-#include <cerrno>
 #include <cstring>
 
 #include "basis/environment_folders.h"
 #include "basis/library_folder.h"
 #include "basis/module.h"
+#include "basis/trust.h"
 #include "util/error.h"
 
 namespace awd {
@@ -36,14 +35,7 @@ bool usable(const AWDRefitModule* module) {
 
 /// The table of a module file; else null, and why.
 const AWDRefitModule* open(const std::string& file, std::string& why) {
-  struct stat status = {};
-  if (file[0] != '/') {
-    why = "not absolute";
-  } else if (stat(file.c_str(), &status) != 0) {
-    why = errno == ENOENT ? "does not exist" : std::strerror(errno);
-  } else if (!S_ISREG(status.st_mode) || (status.st_mode & S_IWOTH)) {
-    why = "not a file, or anybody may write to it";
-  }
+  why = distrust(file);
   if (!why.empty()) return nullptr;
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) {

@@ -159,6 +159,18 @@ TEST(Search, AFolderThatAnybodyMayWriteIsLeftOut) {
       << message;
 }
 
+TEST(Search, AFileThatReallyLiesWhereAnybodyMayWriteIsRefused) {
+  const test::Folder folder, open;
+  fs::copy(AWD_LYING_FOLDER "/none.so", open / "liar.so");
+  fs::create_symlink(open / "liar.so", folder / "liar.so");
+  ASSERT_EQ(chmod(open.path().c_str(), 01777), 0);
+  const Searching device({folder.path()});
+  EXPECT_EQ(test::names(device), "haar");
+  ASSERT_EQ(test::listing(device).size(), 2u);
+  EXPECT_EQ(test::listing(device)[1].status, AWD_ERROR_PLUGIN_LOAD);
+  EXPECT_TRUE(test::contains(test::listing(device)[1].message, "to which anybody may write"));
+}
+
 TEST(Search, FamiliesThatNobodyAsksForAreNotTested) {
   const test::Folder folder;
   fs::copy(AWD_LYING_FOLDER "/weight.so", folder / "weight.so");
@@ -225,7 +237,7 @@ TEST(Search, OnlyFilesThatEndInSo) {
   const std::vector<test::Info> lines = test::listing(device);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[1].file, folder / "dangling.so");
-  EXPECT_TRUE(test::contains(lines[1].message, "can't be read: No such file")) << lines[1].message;
+  EXPECT_EQ(lines[1].message, "does not exist");
   EXPECT_EQ(lines[2].file, folder / "folder.so");
   EXPECT_EQ(lines[2].message, "is not a file");
 }

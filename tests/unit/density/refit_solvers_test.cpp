@@ -55,6 +55,10 @@ TEST_F(RefitSolvers, RefusesFilesThatAreNoModule) {
   EXPECT_NE(refusal({folder_}).find(file), std::string::npos);
   ASSERT_EQ(chmod(file.c_str(), 0666), 0);
   EXPECT_NE(refusal({folder_}).find("anybody may write"), std::string::npos);
+  ASSERT_EQ(chmod(file.c_str(), 0644), 0);
+  ASSERT_EQ(chmod(folder_.c_str(), 01777), 0);
+  EXPECT_NE(refusal({folder_}).find("to which anybody may write"), std::string::npos);
+  ASSERT_EQ(chmod(folder_.c_str(), 0700), 0);
   // A library, but of another kind.
   fs::remove(file);
   Dl_info info = {};
