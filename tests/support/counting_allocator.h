@@ -35,7 +35,8 @@ class CountingAllocator {
   }
   size_t calls() const { return calls_; }
   size_t blocks() const { return blocks_.size(); }
-  size_t bytes() const { return bytes_; }
+  size_t bytes() const { return bytes_; }  ///< ever asked for
+  size_t held() const { return held_; }    ///< of these, not given back
 
  private:
   struct Block {
@@ -52,6 +53,7 @@ class CountingAllocator {
     void* ptr = std::aligned_alloc(least, (std::max<size_t>(size, 1) + least - 1) / least * least);
     blocks_[ptr] = {size, alignment};
     bytes_ += size;
+    held_ += size;
     return ptr;
   }
   void release(void* ptr, size_t size, size_t alignment) {
@@ -63,13 +65,14 @@ class CountingAllocator {
     }
     EXPECT_EQ(block->second.size, size);
     EXPECT_EQ(block->second.alignment, alignment);
+    held_ -= block->second.size;
     blocks_.erase(block);
     std::free(ptr);
   }
 
   std::mutex mutex_;
   std::map<void*, Block> blocks_;
-  size_t calls_ = 0, bytes_ = 0, refused_ = 0;
+  size_t calls_ = 0, bytes_ = 0, held_ = 0, refused_ = 0;
   bool allLater_ = false;
 };
 }  // namespace awdtest

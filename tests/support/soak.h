@@ -2,6 +2,7 @@
 // How much of a long test is run: a sample of it in ./run check, all of it in ./run soak.
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 
 namespace awdtest {
@@ -10,6 +11,6 @@ namespace awdtest {
 inline bool wholeSoak() { return std::getenv("AWD_SOAK") != nullptr; }
 
 /// The size of a test: samples, steps, faults. What is sampled must be part of the whole.
-inline long soakSize(long sampled, long whole) { return wholeSoak() ? whole : sampled; }
+inline size_t soakSize(size_t sampled, size_t whole) { return wholeSoak() ? whole : sampled; }
 
 }  // namespace awdtest
