@@ -18,7 +18,7 @@ declared=$(cat "$@" | tr '\n' ' ' |
 [[ $(wc -l <<<"$declared") -ge 20 ]] || { echo "too few declarations found: $declared"; exit 1; }
 
 # The version itself is an absolute symbol.
-got=$(exported "$library" | grep -vx "$version")
+got=$(exported "$library" | grep -vxE "$version(@@$version)?")
 want=$(sed "s/\$/@@$version/" <<<"$declared" | sort)
 if [[ $got != "$want" ]]; then
   echo "exported (<) is not what is declared (>):"

@@ -144,7 +144,7 @@ Bytes forged(const Bytes& bytes, Uniforms& random) {
       const std::size_t at = place(1);
       content[at] = static_cast<char>(content[at] ^ (1 << static_cast<int>(8.0 * random())));
     } else if (kind < 0.5) {
-      content[place(1)] = static_cast<char>(256.0 * random());
+      content[place(1)] = static_cast<char>(static_cast<unsigned char>(256.0 * random()));
     } else if (kind < 0.9) {
       const uint64_t number = oddNumber(random);
       const std::size_t size = random() < 0.5 ? 4 : 8;

@@ -84,7 +84,7 @@ void compareWithAny(const std::vector<const char*>& names, Uniforms& random) {
 TEST(LeafSampler, BlocksGiveTheBitsOfTheGeneralWay) {
   Uniforms random(1);
   for (const char* name : kNested) {
-    compareWithAny<1>({name}, random);
+    compareWithAny<1>(std::vector<const char*>(1, name), random);
     compareWithAny<2>({name, name}, random);
     compareWithAny<3>({name, name, name}, random);
     compareWithAny<4>({name, name, name, name}, random);
