@@ -2,6 +2,7 @@
 #include "util/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,22 +16,51 @@
 
 namespace awd {
 
+namespace {
+
+/// Opens a new file with a name that nothing has yet, as public as the process makes its files:
+/// mkstemp makes private ones, and to ask for the umask is to set it, for all threads.
+int createBeside(const std::string& path, std::string& made) {
+  constexpr int kAttempts = 100;
+  constexpr char kDigits[] = "0123456789abcdefghijklmnopqrstuv";
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    unsigned char random[8] = {};
+    if (getrandom(random, sizeof random, 0) < 0) return -1;
+    made = path + '.';
+    for (const unsigned char byte : random) made += kDigits[byte % (sizeof kDigits - 1)];
+    const int descriptor = open(made.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
+}
+
+/// That a file has another name now is known to the disk only when its folder is. If it can't be
+/// synced, what was written is there all the same.
+void syncFolderOf(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
 AtomicFile::AtomicFile(const char* path) : path_(path) {
   // A link stays one: what it leads to is replaced. A device or folder must not be replaced.
   if (const std::unique_ptr<char, void (*)(void*)> real{realpath(path, nullptr), std::free}) {
     path_ = real.get();
   }
   struct stat present = {};
-  if (stat(path_.c_str(), &present) == 0 && !S_ISREG(present.st_mode)) {
+  const bool replaces = stat(path_.c_str(), &present) == 0;
+  if (replaces && !S_ISREG(present.st_mode)) {
     fail(AWD_ERROR_IO, "can't write \"%s\": it is not a file", path);
   }
-  temporary_ = path_ + ".XXXXXX";
-  descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
+  descriptor_ = createBeside(path_, temporary_);
   if (descriptor_ < 0) failed("create a file beside");
-  // mkstemp makes private files; ours are as public as the umask says.
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor_, 0666 & ~mask);
+  // Whoever might not read the old one might not read the new one either.
+  if (replaces) fchmod(descriptor_, present.st_mode & 0777);
 }
 
 AtomicFile::~AtomicFile() {
@@ -63,6 +93,7 @@ void AtomicFile::commit() {
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) failed("replace");
   close(descriptor_);
   descriptor_ = -1;
+  syncFolderOf(path_);
 }
 
 void AtomicFile::failed(const char* action) const {

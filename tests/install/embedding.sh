@@ -21,7 +21,7 @@ refused embree configure whole "$tree" "" -DAWD_RENDER=ON "${hidden[@]}"
 
 start=$SECONDS
 quietly configure bare "$tree" "" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
-  -DAWD_RENDER=OFF -DAWD_TBB=OFF "${hidden[@]}"
+  -DAWD_RENDER=OFF -DAWD_TBB=OFF -DCMAKE_UNITY_BUILD=ON "${hidden[@]}"
 quietly "$cmake" --build "$work/bare" --parallel 2
 echo "the build took $((SECONDS - start)) s"
 cd "$work/bare"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -12,6 +13,16 @@
 #include <iterator>
 
 #include "util/error.h"
+
+namespace {
+int umaskCalls = 0;
+}
+
+/// Stands before that of the C library.
+extern "C" mode_t umask(mode_t mask) noexcept {
+  ++umaskCalls;
+  return static_cast<mode_t>(syscall(SYS_umask, mask));
+}
 
 namespace {
 
@@ -120,6 +131,25 @@ TEST_F(AtomicFileTest, IsAsReadableAsTheUmaskSays) {
   struct stat status = {};
   ASSERT_EQ(stat(file("a").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777u, 0640u);
+}
+
+TEST_F(AtomicFileTest, IsNotMorePublicThanTheOneItReplaces) {
+  std::ofstream(file("a")) << "old";
+  ASSERT_EQ(chmod(file("a").c_str(), 0600), 0);
+  AtomicFile out(file("a").c_str());
+  out.write("new", 3);
+  out.commit();
+  struct stat status = {};
+  ASSERT_EQ(stat(file("a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0600u);
+}
+
+/// The umask is the process's: while it is asked for, which sets it, files of other threads have
+/// none.
+TEST_F(AtomicFileTest, LeavesTheUmaskAlone) {
+  const int before = umaskCalls;
+  AtomicFile(file("a").c_str()).commit();
+  EXPECT_EQ(umaskCalls, before);
 }
 
 TEST_F(AtomicFileTest, AFolderThatIsNotThere) {
