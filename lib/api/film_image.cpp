@@ -19,8 +19,17 @@ const char* nameOf(AWDGuide guide) {
                                      : "uniform";
 }
 
-const char* nameOf(const FieldSettings& settings) {
-  return settings.map == AWD_MAP_SPHERICAL ? "spherical" : "concentric-cosine";
+const char* nameOfMap(const Field& field) {
+  switch (field.settings().map) {
+    case AWD_MAP_SPHERICAL:
+      return "spherical";
+    case AWD_MAP_CYLINDRICAL:
+      return "cylindrical";
+    case AWD_MAP_COSINE:
+      return "cosine";
+    default:
+      return "concentric-cosine";
+  }
 }
 
 const char* nameOfEstimator(const Field& field) {
@@ -60,7 +69,7 @@ void describe(const Render& render, Image& image) {
   if (render.field()) {
     const Field& field = *render.field();
     image.setMetadata("awd.basis", field.family().name());
-    image.setMetadata("awd.map", nameOf(field.settings()));
+    image.setMetadata("awd.map", nameOfMap(field));
     image.setMetadata("awd.estimator", nameOfEstimator(field));
     image.setMetadata("awd.maxLevel", std::to_string(field.settings().maxLevel));
   }
@@ -106,7 +115,7 @@ AWDResult AWD_CALL awdNewPatchImage(AWDField field, uint32_t patch, uint32_t n,
     made->setMetadata("awd.side", patch & AWD_PATCH_BACK ? "back" : "front");
     made->setMetadata("awd.basis", info.basis);
     made->setMetadata("awd.level", std::to_string(info.level));
-    made->setMetadata("awd.map", nameOf(known.settings()));
+    made->setMetadata("awd.map", nameOfMap(known));
     give(image, std::move(made));
   });
 }

@@ -222,4 +222,20 @@ TEST_P(Sampling, BadUniformsNormalsAndDirections) {
   }
 }
 
+TEST(Map, IsNamedInAPatchsImage) {
+  const Device device = newDevice(1u);
+  const char* const names[] = {"concentric-cosine", "spherical", "concentric-cosine", "cylindrical",
+                               "cosine"};
+  for (AWDHemisphereMap map = AWD_MAP_DEFAULT; map <= AWD_MAP_COSINE; ++map) {
+    AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+    desc.map = map;
+    const Field field = newField(device, &desc);
+    Image image;
+    must(awdNewPatchImage(field, 3, 4, image.out()));
+    const char* name = nullptr;
+    must(awdGetImageMetadata(image, "awd.map", &name));
+    EXPECT_STREQ(name, names[map]);
+  }
+}
+
 }  // namespace
