@@ -10,6 +10,7 @@
 
 #include "support/counting_allocator.h"
 #include "support/handles.h"
+#include "support/process.h"
 #include "support/random.h"
 #include "support/soak.h"
 #include "support/statistics.h"
@@ -104,7 +105,8 @@ void soak(AWDDensityStructure structure, const char* basis) {
   Density forks[kStreams];
   for (Density& fork : forks) must(awdForkDensity(density, fork.out()));
   const size_t bytes = allocator.held();
-  const size_t atLeast = soakSize(400'000, 1'000'000'000);
+  // Sanitizers make each take ten times as long.
+  const size_t atLeast = soakSize(400'000, memoryIsWatched() ? 100'000'000 : 1'000'000'000);
   const size_t batches = (atLeast + kStreams * kBatch - 1) / (kStreams * kBatch);
   const uint64_t samples = uint64_t{kStreams} * batches * kBatch;
   Seen seen[kStreams];
