@@ -183,7 +183,14 @@ Ref<Render> Render::load(Ref<Context> context, Ref<Geometry> geometry, const voi
 
   Ref<Field> field;
   if (!learned.empty()) field = Field::load(context, learned.data(), learned.size(), find);
-  auto render = Ref<Render>::adopt(awd::make<Render>(memory, context, geometry, field, saved));
+  Ref<Render> render;
+  try {
+    render = Ref<Render>::adopt(awd::make<Render>(memory, context, geometry, field, saved));
+  } catch (const Error& error) {
+    // What the host gives is not wrong: it has seen none of these settings.
+    if (error.code() != AWD_ERROR_INVALID_ARGUMENT) throw;
+    fail(AWD_ERROR_IO, "a checkpoint is damaged: of what it holds %s", error.what());
+  }
   render->experienced_ = experienced;
   render->statistics_ = std::move(statistics);
   render->film_.get(reader);
