@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory_resource>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct PixelSums {
     squares += value * value;
     if (even) evens += value;
   }
+
+  /// What the sums of so many floats and of their squares may be, roundings included.
+  static double most(uint64_t samples) { return 1.001 * kFloat * static_cast<double>(samples); }
+  static double mostSquared(uint64_t samples) { return kFloat * most(samples); }
+
+ private:
+  static constexpr double kFloat = std::numeric_limits<float>::max();
 };
 
 /// How far an image is from the truth: sqrt(mean (x - truth)^2) / mean x, over all pixels and
@@ -45,6 +53,9 @@ struct PassFilm {
 
 class Film {
  public:
+  /// Of a sample; it is at most 1.
+  static constexpr double kLeastWeight = 0.25;
+
   Film(std::pmr::memory_resource* memory, uint32_t width, uint32_t height)
       : width_(width), height_(height), pixels_(std::size_t{width} * height, memory) {}
 
@@ -52,8 +63,9 @@ class Film {
   uint32_t height() const { return height_; }
   uint64_t samples() const { return samples_; }  ///< per pixel
 
-  /// Adds a pass of that many samples per pixel, each of which counts for `weight` > 0. Samples are
-  /// numbered on from those before: the first has the number samples().
+  /// Adds a pass of that many samples per pixel, each of which counts for
+  /// kLeastWeight <= weight <= 1. Samples are numbered on from those before: the first has the
+  /// number samples().
   void merge(const PassFilm& pass, uint64_t samples, double weight);
 
   /// Mean radiance sum w x / sum w, and the estimated variance of that mean,

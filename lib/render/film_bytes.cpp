@@ -8,17 +8,23 @@ namespace awd {
 
 namespace {
 
-constexpr double kLargestSum = std::numeric_limits<double>::max();
+/// Of what is added up, pass by pass.
+constexpr double kRounding = 1e-9;
 
 void put(ByteWriter& writer, const Vec3d& sums) {
   for (const double sum : {sums.x, sums.y, sums.z}) writer.put(sum);
 }
 
 /// Radiance is not negative, nor is any sum of it.
-Vec3d getSums(ByteReader& reader) {
+Vec3d getSums(ByteReader& reader, double most) {
   Vec3d sums;
-  for (double* sum : {&sums.x, &sums.y, &sums.z}) *sum = reader.get(0.0, kLargestSum);
+  for (double* sum : {&sums.x, &sums.y, &sums.z}) *sum = reader.get(0.0, most);
   return sums;
+}
+
+bool isWeightOf(double weight, double samples) {
+  return weight >= Film::kLeastWeight * samples * (1.0 - kRounding) &&
+         weight <= samples * (1.0 + kRounding);
 }
 
 }  // namespace
@@ -36,13 +42,20 @@ void Film::put(ByteWriter& writer) const {
 void Film::get(ByteReader& reader) {
   samples_ = reader.get<uint64_t>();
   for (double* sum : {&weights_, &squaredWeights_, &evenWeights_}) {
-    *sum = reader.get(0.0, kLargestSum);
+    *sum = reader.get(0.0, std::numeric_limits<double>::max());
   }
-  if ((samples_ == 0) != (weights_ == 0.0) || evenWeights_ > weights_) reader.damaged();
+  const auto odds = static_cast<double>(samples_ / 2);
+  const auto evens = static_cast<double>(samples_ - samples_ / 2);
+  if (!isWeightOf(evenWeights_, evens) || !isWeightOf(weights_ - evenWeights_, odds) ||
+      squaredWeights_ > weights_ * (1.0 + kRounding)) {
+    reader.damaged();
+  }
+  const double most = PixelSums::most(samples_), mostSquared = PixelSums::mostSquared(samples_);
   for (Pixel& pixel : pixels_) {
-    for (Vec3d* sums : {&pixel.weighted, &pixel.sum, &pixel.squares, &pixel.evens}) {
-      *sums = getSums(reader);
-    }
+    pixel.weighted = getSums(reader, most);
+    pixel.sum = getSums(reader, most);
+    pixel.squares = getSums(reader, mostSquared);
+    pixel.evens = getSums(reader, most);
   }
 }
 

@@ -159,12 +159,19 @@ AWDPassStatistics Render::importPass(const uint64_t* sums, const uint64_t* maxim
   }
   PassFilm film(context_->memory(), film_.width(), film_.height());
   const std::size_t pixels = film.pixels.size();
-  for (std::size_t i = 0; i < kNumbers * pixels; ++i) {
-    // The bits of a double that is finite and not negative.
-    if (sums[kHeadSums + i] < 0x7ff0000000000000u) continue;
-    fail(AWD_ERROR_INVALID_ARGUMENT, "numbers of pixel %zu make no sense", i / kNumbers);
-  }
   std::memcpy(static_cast<void*>(film.pixels.data()), sums + kHeadSums, pixels * sizeof(PixelSums));
+  const auto within = [](const Vec3d& v, double most) {
+    return v.x >= 0.0 && v.y >= 0.0 && v.z >= 0.0 && v.x <= most && v.y <= most && v.z <= most;
+  };
+  const double most = PixelSums::most(part.samples);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const PixelSums& pixel = film.pixels[i];
+    if (within(pixel.sum, most) && within(pixel.evens, most) &&
+        within(pixel.squares, PixelSums::mostSquared(part.samples))) {
+      continue;
+    }
+    fail(AWD_ERROR_INVALID_ARGUMENT, "numbers of pixel %zu make no sense", i);
+  }
   if (part.learns) {
     const auto patches = exchangedPatches();
     field_->importRecords({patches.data(), patches.size()}, sums + kHeadSums + kNumbers * pixels,

@@ -70,6 +70,11 @@ TEST(FilmBytes, OfWhatNoSamplesCanMakeAreDamaged) {
   expectDamaged(2, 0.0, 0.0, 1.0);
   expectDamaged(0, 1.0, 0.0, 1.0);
   expectDamaged(2, 1.0, 1.5, 1.0);
+  expectDamaged(2, 1.0, 0.0, 1.0);  // errors would be NaN
+  expectDamaged(2, 1.0, 1.0, 1.0);
+  expectDamaged(2, 2.5, 1.25, 1.0);
+  expectDamaged(2, 0.25, 0.125, 1.0);
+  expectDamaged(2, 1.0, 0.5, 1e39);  // no two floats
   expectDamaged(2, 1.0, 0.5, -1.0);
   expectDamaged(2, 1.0, 0.5, std::numeric_limits<double>::infinity());
 }
