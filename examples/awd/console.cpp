@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 #include <mutex>
 
@@ -12,6 +13,7 @@ namespace {
 // The library logs from any thread, also while the status line stands.
 std::mutex mutex;
 bool statusShown = false;
+std::atomic<bool> muted = false;
 
 constexpr char kEraseLine[] = "\r\033[K";
 
@@ -23,9 +25,15 @@ void say(const char* kind, const std::string& text) {
 
 }  // namespace
 
-void note(const std::string& text) { say("", text); }
-void warn(const std::string& text) { say("warning: ", text); }
+void note(const std::string& text) {
+  if (!muted) say("", text);
+}
+void warn(const std::string& text) {
+  if (!muted) say("warning: ", text);
+}
 void complain(const std::string& text) { say("", text); }
+
+void mute() { muted = true; }
 
 bool hasTerminal() { return isatty(STDERR_FILENO) == 1; }
 

@@ -13,6 +13,9 @@ void warn(const std::string& text);
 /// "awd: text", for the reason why the program ends.
 void complain(const std::string& text);
 
+/// From now on notes and warnings are not said.
+void mute();
+
 /// Whether standard error is a terminal, which alone gets status lines.
 bool hasTerminal();
 /// Replaces the line that is rewritten in place; it gives way to messages.
