@@ -53,7 +53,7 @@ void compileComponents(BasisLevel& to) {
   }
   std::partial_sum(to.componentBegin.begin(), to.componentBegin.end(), to.componentBegin.begin());
   to.componentPieces.resize(to.componentBegin.back());
-  std::pmr::vector<uint32_t> next(to.componentBegin);
+  std::pmr::vector<uint32_t> next(to.componentBegin, to.componentBegin.get_allocator());
   for (std::size_t row = 0; row < rows; ++row) {
     const double mass = massOf(row);
     if (mass <= 0.0) continue;

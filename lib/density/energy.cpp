@@ -47,7 +47,7 @@ class TreeEnergy {
   Coefficients run() {
     const Coefficients root = project(0, 1.0, 0);
     energies_[0] = boxEnergy(bases_, density_.leafShape(), root.data());
-    return energies_;
+    return std::move(energies_);
   }
 
  private:

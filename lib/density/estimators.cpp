@@ -54,6 +54,14 @@ LevelSums::LevelSums(std::pmr::memory_resource* memory, const Shape& levelShape,
   for (std::size_t i = 0; i < tallies.size(); ++i) count[i] = tallies[i].count();
 }
 
+LevelSums::LevelSums(const LevelSums& other)
+    : shape(other.shape),
+      valueExponent(other.valueExponent),
+      weightExponent(other.weightExponent),
+      value(other.value, other.value.get_allocator()),
+      weight(other.weight, other.weight.get_allocator()),
+      count(other.count, other.count.get_allocator()) {}
+
 void LevelSums::restrict(const BasisLevel& coarse, uint32_t axis) {
   for (Coefficients* sums : {&value, &weight, &count}) {
     Shape from = shape;

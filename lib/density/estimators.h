@@ -18,6 +18,12 @@ namespace awd {
 struct LevelSums {
   LevelSums(std::pmr::memory_resource* memory, const Shape& shape,
             const std::pmr::vector<Tally>& tallies);
+  /// In the same memory, where vectors copied by default would be in that of the process.
+  LevelSums(const LevelSums& other);
+  LevelSums& operator=(const LevelSums& other) = delete;
+  LevelSums(LevelSums&& other) = default;
+  LevelSums& operator=(LevelSums&& other) = delete;
+  ~LevelSums() = default;
 
   Shape shape;
   int valueExponent, weightExponent;  ///< of the powers of two

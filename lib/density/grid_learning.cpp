@@ -37,11 +37,12 @@ bool coarser(const DensityBases& bases, Levels& levels) {
   return any;
 }
 
-double meanOf(const DensityBases& bases, const Levels& levels, Coefficients coefficients) {
+double meanOf(const DensityBases& bases, const Levels& levels, const Coefficients& coefficients) {
   const BasisLevel* tables[kMaxDimensions];
   bases.tables(levels, tables);
-  for (double& c : coefficients) c = std::max(c, 0.0);
-  return integral(tables, bases.shape(levels), coefficients.data());
+  Coefficients positive(coefficients, coefficients.get_allocator());
+  for (double& c : positive) c = std::max(c, 0.0);
+  return integral(tables, bases.shape(levels), positive.data());
 }
 
 /// r of every rung, from the coarsest up, each shrunk towards the one before.

@@ -26,6 +26,12 @@ long double varianceTimesCount(const PassSums& sums) {
 Passes::Passes(std::pmr::memory_resource* memory, AWDCombination combination)
     : combination_(combination), kept_(memory), last_(memory) {}
 
+Passes::Passes(const Passes& other)
+    : combination_(other.combination_),
+      totals_(other.totals_),
+      kept_(other.kept_, other.kept_.get_allocator()),
+      last_(other.last_) {}
+
 void Passes::finish(const PassSums& sums, const Model& p) {
   if (sums.samples == 0) return;
   if (combination_ == AWD_COMBINE_CROSS_VARIANCE) {

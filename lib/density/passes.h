@@ -25,6 +25,12 @@ class Passes {
   static constexpr std::size_t kKept = 16;
 
   Passes(std::pmr::memory_resource* memory, AWDCombination combination);
+  /// In the same memory, where a vector's own would be in that of the process.
+  Passes(const Passes& other);
+  Passes& operator=(const Passes& other) = default;
+  Passes(Passes&& other) = default;
+  Passes& operator=(Passes&& other) = default;
+  ~Passes() = default;
 
   /// A finished pass; p: what it was drawn from.
   void finish(const PassSums& sums, const Model& p);
@@ -50,6 +56,14 @@ class Passes {
   /// What the last pass with samples says of the kept ones, itself included, to be loaded again.
   struct LastPass {
     explicit LastPass(std::pmr::memory_resource* memory) : secondMoments(memory) {}
+    LastPass(const LastPass& other)
+        : samples(other.samples),
+          mean(other.mean),
+          secondMoments(other.secondMoments, other.secondMoments.get_allocator()) {}
+    LastPass& operator=(const LastPass& other) = default;
+    LastPass(LastPass&& other) = default;
+    LastPass& operator=(LastPass&& other) = default;
+    ~LastPass() = default;
     uint64_t samples = 0;
     long double mean = 0.0L;
     std::pmr::vector<long double> secondMoments;  ///< mean of f^2 / (p_k p), oldest first

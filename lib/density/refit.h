@@ -28,6 +28,17 @@ struct Refitter {
 struct NormalEquations {
   explicit NormalEquations(std::pmr::memory_resource* memory)
       : rowBegin(memory), columns(memory), values(memory), rhs(memory) {}
+  /// In the same memory, where vectors copied by default would be in that of the process.
+  NormalEquations(const NormalEquations& other)
+      : rowBegin(other.rowBegin, other.rowBegin.get_allocator()),
+        columns(other.columns, other.columns.get_allocator()),
+        values(other.values, other.values.get_allocator()),
+        rhs(other.rhs, other.rhs.get_allocator()),
+        energy(other.energy) {}
+  NormalEquations& operator=(const NormalEquations& other) = delete;
+  NormalEquations(NormalEquations&& other) = default;
+  NormalEquations& operator=(NormalEquations&& other) = delete;
+  ~NormalEquations() = default;
 
   /// Of a grid: A times 2^-exponent.
   void takeMatrix(const NormalPattern& pattern, const std::pmr::vector<BinnedSum>& products,

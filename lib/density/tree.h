@@ -37,6 +37,15 @@ class Tree {
 
   /// Of nodes that make a tree, whose leaves it numbers.
   Tree(uint32_t dimensions, std::pmr::vector<TreeNode> nodes);
+  /// In the same memory, where a vector copied by default would be in that of the process.
+  Tree(const Tree& other)
+      : dimensions_(other.dimensions_),
+        leaves_(other.leaves_),
+        nodes_(other.nodes_, other.nodes_.get_allocator()) {}
+  Tree& operator=(const Tree& other) = default;
+  Tree(Tree&& other) = default;
+  Tree& operator=(Tree&& other) = default;
+  ~Tree() = default;
 
   uint32_t dimensions() const { return dimensions_; }
   uint32_t leaves() const { return leaves_; }

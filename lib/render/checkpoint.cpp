@@ -120,7 +120,7 @@ void Render::save(const char* path) const {
   writer.putBytes(learned);
   film_.put(writer);
 
-  const std::pmr::vector<char>& bytes = writer.finish();
+  const std::pmr::vector<char> bytes = writer.finish();
   AtomicFile file(path);
   file.write(bytes.data(), bytes.size());
   file.commit();

@@ -66,10 +66,10 @@ void ByteWriter::putPacked(uint64_t number) {
   bytes_.push_back(static_cast<char>(number));
 }
 
-const std::pmr::vector<char>& ByteWriter::finish() {
+std::pmr::vector<char> ByteWriter::finish() {
   putAt(bytes_, kLengthAt, bytes_.size());
   putAt(bytes_, kChecksumAt, checksum(bytes_.data(), bytes_.size()));
-  return bytes_;
+  return std::move(bytes_);  // a copy would lie in the memory of the process, not of the host
 }
 
 ByteReader::ByteReader(const void* bytes, std::size_t size, std::string_view magic,

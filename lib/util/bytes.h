@@ -38,8 +38,8 @@ class ByteWriter {
   /// A number that tends to be small: seven bits a byte, the lowest first.
   void putPacked(uint64_t number);
 
-  /// Completes the frame.
-  const std::pmr::vector<char>& finish();
+  /// Completes the frame and hands it over.
+  std::pmr::vector<char> finish();
 
  private:
   std::pmr::vector<char> bytes_;
