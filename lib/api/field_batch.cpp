@@ -15,14 +15,16 @@ void needAll(size_t count, const char* const* names, Arrays... arrays) {
   (need(arrays, *names++), ...);
 }
 
+bool isRecorded(const AWDPathVertex& vertex) {
+  return vertex.continuation > 0.0f && vertex.patch != AWD_INVALID_ID;
+}
+
 void checkVertex(const Field& field, const AWDPathVertex& vertex) {
   if (!(vertex.continuation >= 0.0f && vertex.continuation <= 1.0f)) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "continuation is %g: it must be in [0,1]",
          vertex.continuation);
   }
-  if (vertex.continuation > 0.0f && vertex.patch != AWD_INVALID_ID) {
-    field.checkRecord(vertex.patch, vertex.sample);
-  }
+  if (isRecorded(vertex)) field.checkRecord(vertex.patch, vertex.sample);
 }
 
 }  // namespace
@@ -100,6 +102,7 @@ AWDResult AWD_CALL awdRecordFieldBatch(AWDField field, size_t count, const uint3
       checkSample(known, samples[i]);
       known.checkRecord(patches[i], samples[i]);
     });
+    for (size_t i = 0; i < count; ++i) known.makeRoom(patches[i]);
     for (size_t i = 0; i < count; ++i) known.record(patches[i], samples[i], values[i]);
   });
 }
@@ -110,6 +113,9 @@ AWDResult AWD_CALL awdRecordFieldPath(AWDField field, size_t count, const AWDPat
     Field& known = object(field, "field");
     if (count > 0) need(vertices, "vertices");
     forEachItem(count, [&](size_t i) { checkVertex(known, vertices[i]); });
+    for (size_t i = 0; i < count; ++i) {
+      if (isRecorded(vertices[i])) known.makeRoom(vertices[i].patch);
+    }
     const Vec3d outside = background ? convert<double>(load(background)) : Vec3d();
     const Rgb seen = convert<float>(known.recordPath(vertices, count, outside));
     if (!radiance) return;

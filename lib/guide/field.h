@@ -88,6 +88,11 @@ class Field final : public RefCounted {
     PatchStatistics& sums = view.statistics ? *view.statistics : *touch(keyOf(patch)).statistics;
     sums.recordLight(light, value);
   }
+  /// Makes recording in the patch need no memory: of several records that are told at once then all
+  /// are taken or none.
+  void makeRoom(uint32_t patch) {
+    if (!view(patch).statistics) touch(keyOf(patch));
+  }
   /// Fails if the field can't have a patch of this number.
   void checkPatch(uint32_t patch) const;
   /// Fails as record() would for a patch or component that can't be.
