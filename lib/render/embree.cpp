@@ -90,16 +90,24 @@ Embree::Embree(Context& context, std::pmr::vector<Vec3f> corners, Progress& prog
   corners_.resize(count + 2);
   indices_.resize(count);
   std::iota(indices_.begin(), indices_.end(), 0u);
+  try {
+    build(context, count, progress);
+  } catch (...) {
+    close();
+    throw;
+  }
+}
 
+void Embree::build(Context& context, std::size_t count, Progress& progress) {
   const auto check = [&] {
     const RTCError error = rtcGetDeviceError(device_);
     if (error == RTC_ERROR_NONE) return;
-    close();
     progress.throwIfCancelled();
     if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
     fail(AWD_ERROR_UNKNOWN, "Embree failed with error %d", static_cast<int>(error));
   };
   device_ = rtcNewDevice(nullptr);
+  if (!device_ && rtcGetDeviceError(nullptr) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (!device_) fail(AWD_ERROR_UNKNOWN, "Embree can't be started on this machine");
   scene_ = rtcNewScene(device_);
   check();

@@ -38,6 +38,7 @@ class Embree {
   const Vec3f* corners(uint32_t triangle) const { return &corners_[3 * std::size_t{triangle}]; }
 
  private:
+  void build(Context& context, std::size_t count, Progress& progress);
   void close() noexcept;
 
   std::pmr::vector<Vec3f> corners_;
