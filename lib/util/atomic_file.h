@@ -21,7 +21,7 @@ class AtomicFile {
   void write(const void* data, std::size_t bytes);
   uint64_t position() const { return position_; }
   void seek(uint64_t position);
-  /// Syncs, renames, and syncs the folder.
+  /// Syncs, closes, renames, and syncs the folder.
   void commit();
   const std::string& path() const { return path_; }
 
