@@ -54,16 +54,22 @@ void clearOutput(Handle* output, const char* argument) {
 /// No struct of ours will ever be longer; a larger structSize was never initialised.
 constexpr size_t kLongestStruct = 4096;
 
+/// The structSize of a host's struct. Structs of all versions are made of whole words.
+inline size_t sizeOfStruct(const void* host, const char* argument, const char* initMacro) {
+  size_t size;
+  std::memcpy(&size, need(host, argument), sizeof size);
+  if (size < sizeof(size_t) || size > kLongestStruct || size % alignof(size_t) != 0) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "%s->structSize is %zu: initialise the struct with %s",
+         argument, size, initMacro);
+  }
+  return size;
+}
+
 /// A copy of a host's struct as this library knows it: fields that the host's version lacks are 0,
 /// and fields that this library lacks must be.
 template <class T>
 T readStruct(const T* host, const char* argument, const char* initMacro) {
-  size_t size;
-  std::memcpy(&size, need(host, argument), sizeof size);
-  if (size < sizeof(size_t) || size > kLongestStruct) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "%s->structSize is %zu: initialise the struct with %s",
-         argument, size, initMacro);
-  }
+  const size_t size = sizeOfStruct(host, argument, initMacro);
   const char* bytes = reinterpret_cast<const char*>(host);
   for (size_t i = sizeof(T); i < size; ++i) {
     if (bytes[i] != 0) {
@@ -81,12 +87,7 @@ T readStruct(const T* host, const char* argument, const char* initMacro) {
 /// Fills a host's struct with as much of `value` as its version has room for.
 template <class T>
 void writeStruct(T* host, T value, const char* argument, const char* initMacro) {
-  size_t size;
-  std::memcpy(&size, need(host, argument), sizeof size);
-  if (size < sizeof(size_t) || size > kLongestStruct) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "%s->structSize is %zu: initialise the struct with %s",
-         argument, size, initMacro);
-  }
+  const size_t size = sizeOfStruct(host, argument, initMacro);
   value.structSize = size;
   char* bytes = reinterpret_cast<char*>(host);
   std::memcpy(bytes, static_cast<const void*>(&value), size < sizeof(T) ? size : sizeof(T));
