@@ -120,7 +120,7 @@ AWD_EXPORT AWDResult AWD_CALL awdGetSceneInfo(AWDScene scene, AWDSceneInfo* info
    beyond 1e18 times the size of the scene. This struct never grows. */
 typedef struct AWDRay {
   float origin[3];    /* o */
-  float tnear;        /* finite */
+  float tnear;        /* finite, not below 0 */
   float direction[3]; /* d */
   float tfar;         /* may be infinite */
 } AWDRay;

@@ -21,7 +21,8 @@ bool isWithin(Vec3f v) {
 
 void checkRay(const Geometry& geometry, const AWDRay& ray, size_t index) {
   const Vec3f origin = load(ray.origin), direction = load(ray.direction);
-  if (isFinite(origin) && isFinite(direction) && !std::isnan(ray.tnear) && !std::isnan(ray.tfar)) {
+  if (isFinite(origin) && isFinite(direction) && ray.tnear >= 0.0f && std::isfinite(ray.tnear) &&
+      !std::isnan(ray.tfar)) {
     if (isWithin(geometry.toFrame(origin)) && isWithin(direction * geometry.scale())) return;
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "rays[%zu] has origin (%g, %g, %g), direction (%g, %g, %g): more than 1e18 times the size "
@@ -30,7 +31,7 @@ void checkRay(const Geometry& geometry, const AWDRay& ray, size_t index) {
   }
   fail(AWD_ERROR_INVALID_ARGUMENT,
        "rays[%zu] has origin (%g, %g, %g), direction (%g, %g, %g), tnear %g, tfar %g: NaN is not "
-       "allowed, infinity only in tfar",
+       "allowed, infinity only in tfar, and tnear not below 0",
        index, origin.x, origin.y, origin.z, direction.x, direction.y, direction.z, ray.tnear,
        ray.tfar);
 }

@@ -79,6 +79,7 @@ AWDHit Scene::intersect(const AWDRay& ray) const {
   const Geometry& g = geometry();
   const Vec3f direction = load(ray.direction) * g.scale();
   RayHit hit;
+  if (ray.tnear > ray.tfar) return miss;
   if (!g.embree().intersect(g.toFrame(load(ray.origin)), direction, ray.tnear, ray.tfar, hit)) {
     return miss;
   }
@@ -97,6 +98,8 @@ AWDHit Scene::intersect(const AWDRay& ray) const {
 
 bool Scene::occluded(const AWDRay& ray) const {
   const Geometry& g = geometry();
+  // Embree tells by a negative tfar that it met something.
+  if (ray.tnear > ray.tfar) return false;
   return g.embree().occluded(g.toFrame(load(ray.origin)), load(ray.direction) * g.scale(),
                              ray.tnear, ray.tfar);
 }
