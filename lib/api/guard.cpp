@@ -13,6 +13,7 @@ thread_local char lastError[1280] = "";
 
 void setLastError(const char* function, const char* text) noexcept {
   std::snprintf(lastError, sizeof lastError, "%s: %s", function, text);
+  makeOneLine(lastError);
 }
 
 }  // namespace awd

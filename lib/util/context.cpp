@@ -39,6 +39,7 @@ void Context::log(int32_t severity, const char* format, ...) noexcept {
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
+  makeOneLine(text);
   log_(logUser_, severity, text);
 }
 

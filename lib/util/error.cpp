@@ -15,4 +15,11 @@ void fail(AWDResult code, const char* format, ...) {
   throw Error(code, text);
 }
 
+void makeOneLine(char* text) noexcept {
+  for (; *text; ++text) {
+    const auto c = static_cast<unsigned char>(*text);
+    if (c < 0x20 || c == 0x7f) *text = '?';
+  }
+}
+
 }  // namespace awd

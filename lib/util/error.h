@@ -23,4 +23,7 @@ class Error : public std::exception {
 /// Throws an Error with a printf-formatted text: what was wrong, where, and what would be right.
 [[noreturn, gnu::format(printf, 2, 3)]] void fail(AWDResult code, const char* format, ...);
 
+/// What a host's text must not do to a message: begin a new line, or steer a terminal.
+void makeOneLine(char* text) noexcept;
+
 }  // namespace awd
