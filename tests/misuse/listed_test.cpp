@@ -2,35 +2,30 @@
 // The table of functions is that of the headers.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "misuse/caller.h"
+#include "misuse/headers.h"
 
 namespace {
+
+using namespace awdmisuse;
 
 std::set<std::string> declared() {
   const std::regex function("AWD_CALL\\s+(awd[A-Z]\\w*)\\s*\\(");
   std::set<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(AWD_TEST_INCLUDE "/awd")) {
-    if (file.path().extension() != ".h") continue;
-    std::ostringstream text;
-    text << std::ifstream(file.path()).rdbuf();
-    const std::string header = text.str();
-    for (std::sregex_iterator match(header.begin(), header.end(), function), end; match != end;
-         ++match) {
-      names.insert((*match)[1]);
-    }
+  const std::string headers = textOfHeaders();
+  for (std::sregex_iterator match(headers.begin(), headers.end(), function), end; match != end;
+       ++match) {
+    names.insert((*match)[1]);
   }
   return names;
 }
 
 TEST(Listed, EveryFunctionOfTheHeaders) {
   std::set<std::string> listed;
-  for (const awdmisuse::Function& function : awdmisuse::allFunctions()) {
+  for (const Function& function : allFunctions()) {
     EXPECT_TRUE(listed.insert(function.name).second) << function.name << " is listed twice";
   }
   EXPECT_EQ(listed, declared());

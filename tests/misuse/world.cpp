@@ -18,7 +18,7 @@ using awdtest::must;
 constexpr size_t kMostBytes = size_t{64} << 20;
 
 const float kVertices[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1};
-const uint32_t kIndices[] = {0, 1, 2, 0, 2, 3, 0, 4, 5};
+const uint32_t kIndices[] = {0, 1, 2, 0, 2, 3, 0, 5, 4};
 const uint32_t kMaterials[] = {0, 0, 1};
 
 AWDScene smallScene(AWDDevice device) {
