@@ -267,7 +267,7 @@ void Life::addDensity(const std::string& name, AWDDensity& density, AWDDensitySt
   }
   step("awdSetDensityCoefficients",
        [this, &density] { return awdSetDensityCoefficients(density, values_.data(), size_); });
-  step("awdGetDensityIntegral", [this, &density] {
+  step("awdGetDensityIntegral", [&density] {
     const double lower[] = {0.1, 0.2}, upper[] = {0.7, 0.6};
     double integral = 0.0;
     return awdGetDensityIntegral(density, lower, upper, &integral);

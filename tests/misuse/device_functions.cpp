@@ -191,7 +191,7 @@ void addDensityBytes(std::vector<Function>& all) {
          c(awdExportDensityStatistics, Args{density, c.out<char>(n), n, c.out<size_t>(1)});
        }});
   for (const auto& [name, function] :
-       {std::pair{"awdAddDensityStatistics", awdAddDensityStatistics},
+       {std::pair{"awdAddDensityStatistics", &awdAddDensityStatistics},
         {"awdImportDensityStatistics", awdImportDensityStatistics}}) {
     all.push_back({name, [function = function](Caller& c) {
                      const AWDDensity density = c.density();

@@ -53,7 +53,7 @@ void addFieldLife(std::vector<Function>& all) {
   all.push_back({"awdSetFieldScale", [](Caller& c) {
                    c(awdSetFieldScale, Args{c.field(), c.number(2.0)});
                  }});
-  for (const auto& [name, function] : {std::pair{"awdAdaptField", awdAdaptField},
+  for (const auto& [name, function] : {std::pair{"awdAdaptField", &awdAdaptField},
                                        {"awdGetFieldStatistics", awdGetFieldStatistics}}) {
     const bool mayBeNull = function == awdAdaptField;
     all.push_back({name, [function = function, mayBeNull](Caller& c) {
