@@ -6,6 +6,7 @@
 #include "api/field_checks.h"
 #include "api/field_maker.h"
 #include "api/handles.h"
+#include "api/strides.h"
 #include "basis/device.h"
 #include "density/refit_solvers.h"
 #include "guide/field.h"
@@ -183,12 +184,8 @@ AWDResult AWD_CALL awdGetPatchPdf(AWDField field, uint32_t patch, uint32_t n, fl
   return guard(__func__, [&] {
     const Field& known = object(field, "field");
     if (n < 1 || n > 16384) fail(AWD_ERROR_INVALID_ARGUMENT, "n is %u: 1 to 16384 is allowed", n);
-    const size_t stride = rowStride ? rowStride : n * sizeof(float);
-    if (stride < n * sizeof(float)) {
-      fail(AWD_ERROR_INVALID_ARGUMENT, "rowStride is %zu: a row has %zu bytes", rowStride,
-           n * sizeof(float));
-    }
-    known.pdfImage(patch, n, need(pixels, "pixels"), stride);
+    const Strides strides(0, rowStride, sizeof(float), n, n);
+    known.pdfImage(patch, n, need(pixels, "pixels"), strides.row);
   });
 }
 

@@ -5,29 +5,13 @@
 
 #include "api/field_maker.h"
 #include "api/handles.h"
+#include "api/strides.h"
 #include "render/render.h"
 #include "render/schedule.h"
 
 using namespace awd;
 
 namespace {
-
-/// The strides of an image, 0 meaning packed.
-struct Strides {
-  size_t pixel, row;
-
-  Strides(size_t pixelStride, size_t rowStride, size_t pixelSize, size_t width)
-      : pixel(pixelStride ? pixelStride : pixelSize), row(rowStride ? rowStride : pixel * width) {
-    if (pixel < pixelSize) {
-      fail(AWD_ERROR_INVALID_ARGUMENT, "pixelStride is %zu: a pixel has %zu bytes", pixelStride,
-           pixelSize);
-    }
-    if (row < (width - 1) * pixel + pixelSize) {
-      fail(AWD_ERROR_INVALID_ARGUMENT, "rowStride is %zu: a row of %zu pixels has %zu bytes",
-           rowStride, width, (width - 1) * pixel + pixelSize);
-    }
-  }
-};
 
 /// With the scene's box and lights, where these are left open.
 Ref<Field> makeSceneField(Scene& scene, AWDFieldDesc desc) {
@@ -165,7 +149,7 @@ AWDResult AWD_CALL awdReadFilm(AWDRender render, AWDFilmLayer layer, float* pixe
     if (layer != AWD_FILM_RADIANCE && layer != AWD_FILM_VARIANCE) {
       fail(AWD_ERROR_INVALID_ARGUMENT, "layer is %d: not an AWD_FILM_...", layer);
     }
-    const Strides strides(pixelStride, rowStride, 3 * sizeof(float), film.width());
+    const Strides strides(pixelStride, rowStride, 3 * sizeof(float), film.width(), film.height());
     char* row = reinterpret_cast<char*>(need(pixels, "pixels"));
     for (size_t y = 0; y < film.height(); ++y, row += strides.row) {
       for (size_t x = 0; x < film.width(); ++x) {

@@ -284,6 +284,17 @@ TEST_F(Buffers, FilmIsWrittenWhereItShould) {
                 {"pixelStride"});
   expectFailure(awdReadFilm(render, AWD_FILM_RADIANCE, pixels, 0, 20), AWD_ERROR_INVALID_ARGUMENT,
                 {"rowStride"});
+  // Each of these, times the pixels or rows, comes out small again.
+  constexpr size_t kMost = std::numeric_limits<size_t>::max();
+  for (const size_t stride : {kMost, kMost / 2 + 1, kMost / 2 + 7}) {
+    expectFailure(awdReadFilm(render, AWD_FILM_RADIANCE, pixels, stride, 0),
+                  AWD_ERROR_INVALID_ARGUMENT, {"pixelStride", "no memory"});
+    expectFailure(awdReadFilm(render, AWD_FILM_RADIANCE, pixels, 0, stride),
+                  AWD_ERROR_INVALID_ARGUMENT, {"rowStride", "no memory"});
+    const Field field = newField(device_);
+    expectFailure(awdGetPatchPdf(field, 0, 2, pixels, stride), AWD_ERROR_INVALID_ARGUMENT,
+                  {"rowStride", "no memory"});
+  }
 }
 
 }  // namespace
