@@ -21,7 +21,7 @@ extern "C" {
    right = lookDir x up; lookDir is normalised and up made orthogonal to it. */
 typedef struct AWDCamera {
   size_t structSize;
-  float eye[3];      /* where it stands */
+  float eye[3];      /* where it stands, not beyond 1e18 times the size of the scene */
   float lookDir[3];  /* not 0; need not be a unit vector */
   float up[3];       /* not along lookDir */
   float tanHalfFovX; /* > 0 */

@@ -11,19 +11,13 @@ using namespace awd;
 
 namespace {
 
-/// Beyond it in the frame of the scene, whose size is about 1, Embree takes no ray.
-constexpr float kMostInFrame = 1e18f;
-
-bool isWithin(Vec3f v) {
-  return std::fabs(v.x) <= kMostInFrame && std::fabs(v.y) <= kMostInFrame &&
-         std::fabs(v.z) <= kMostInFrame;
-}
-
 void checkRay(const Geometry& geometry, const AWDRay& ray, size_t index) {
   const Vec3f origin = load(ray.origin), direction = load(ray.direction);
   if (isFinite(origin) && isFinite(direction) && ray.tnear >= 0.0f && std::isfinite(ray.tnear) &&
       !std::isnan(ray.tfar)) {
-    if (isWithin(geometry.toFrame(origin)) && isWithin(direction * geometry.scale())) return;
+    if (Embree::takes(geometry.toFrame(origin)) && Embree::takes(direction * geometry.scale())) {
+      return;
+    }
     fail(AWD_ERROR_INVALID_ARGUMENT,
          "rays[%zu] has origin (%g, %g, %g), direction (%g, %g, %g): more than 1e18 times the size "
          "of the scene",

@@ -32,6 +32,11 @@ Camera::Camera(const AWDCamera& desc, const Geometry& geometry)
   }
   checked(desc.eye, "eye");
   eye_ = geometry.toFrame(load(desc.eye));
+  if (!Embree::takes(eye_)) {
+    fail(AWD_ERROR_INVALID_ARGUMENT,
+         "camera->eye is (%g, %g, %g): more than 1e18 times the size of the scene away from it",
+         desc.eye[0], desc.eye[1], desc.eye[2]);
+  }
   const Vec3d look = checked(desc.lookDir, "lookDir");
   const Vec3d up = checked(desc.up, "up");
   const Vec3d right = cross(look, up);

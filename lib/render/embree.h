@@ -2,6 +2,7 @@
 // Ray tracing by Embree, which this file pair alone knows of; compiles against Embree 3 and 4.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory_resource>
 #include <vector>
@@ -28,6 +29,11 @@ class Embree {
   Embree(const Embree&) = delete;
   Embree& operator=(const Embree&) = delete;
 
+  /// Whether this may be an origin or a direction: beyond, Embree ends the program.
+  static bool takes(Vec3f v) {
+    constexpr float kMost = 1e18f;
+    return std::fabs(v.x) <= kMost && std::fabs(v.y) <= kMost && std::fabs(v.z) <= kMost;
+  }
   /// The first hit on o + t d, tnear <= t <= tfar. False if there is none.
   bool intersect(Vec3f origin, Vec3f direction, float tnear, float tfar, RayHit& hit) const;
   /// Whether there is any hit.

@@ -131,6 +131,7 @@ TEST_F(Settings, DegenerateCameras) {
     spoil([&](AWDCamera& c) { c.lookDir[2] = bad; }, "lookDir");
     spoil([&](AWDCamera& c) { c.up[0] = bad; }, "up");
   }
+  spoil([](AWDCamera& c) { c.eye[2] = 3e38f; }, "eye");  // Embree would end the program
   spoil([](AWDCamera& c) { c.lookDir[0] = c.lookDir[1] = c.lookDir[2] = 0.0f; }, "lookDir");
   spoil([](AWDCamera& c) { c.up[0] = c.up[1] = c.up[2] = 0.0f; }, "up");
   spoil([](AWDCamera& c) { std::copy(c.lookDir, c.lookDir + 3, c.up); }, "up");
