@@ -167,7 +167,7 @@ class Field final : public RefCounted {
     uint32_t leaf;
     PatchKnowledge* known;
     uint32_t firstEighth, eighths;
-    uint64_t samples;  ///< in these
+    double samples;  ///< in these
     double weight;
   };
 

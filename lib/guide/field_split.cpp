@@ -29,9 +29,15 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
   }
   for (Successor& next : successors) {
     const uint64_t each = sizeof(Patch) + next.statistics->bytes() + memoryOf(next.known);
-    uint64_t all = 0;
-    for (const uint64_t count : next.known.eighths) all += count;
     const PatchKnowledge whole = next.known;
+    // As doubles: bytes and numbers from elsewhere may have counts whose sum has no integer.
+    const auto countOf = [&](uint32_t first, uint32_t eighths) {
+      double sum = 0.0;
+      for (uint32_t i = first; i < first + eighths; ++i) {
+        sum += static_cast<double>(whole.eighths[i]);
+      }
+      return sum;
+    };
     const auto settle = [&](const Part& part) {
       // Counts begin anew in a leaf that is a part of the former one: its eighths are smaller.
       if (part.eighths < SpatialTree::kEighths) part.known->eighths = {};
@@ -39,21 +45,21 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
       part.known->lightShare =
           whole.weight > 0.0 ? whole.lightShare * (part.weight / whole.weight) : whole.lightShare;
     };
-    parts.push_back({next.key, &next.known, 0, SpatialTree::kEighths, all, whole.weight});
+    parts.push_back({next.key, &next.known, 0, SpatialTree::kEighths,
+                     countOf(0, SpatialTree::kEighths), whole.weight});
     while (!parts.empty()) {
       Part part = parts.back();
       parts.pop_back();
       // None are counted where shadow rays alone fell since counts began anew.
-      const bool large = part.weight > mostSamples && part.eighths > 1 && part.samples > 0;
+      const bool large = part.weight > mostSamples && part.eighths > 1 && part.samples > 0.0;
       if (!large || !tree.canSplit(part.leaf)) {
         settle(part);
         continue;
       }
       const uint32_t half = part.eighths / 2;
-      uint64_t first = 0;
-      for (uint32_t i = 0; i < half; ++i) first += whole.eighths[part.firstEighth + i];
-      const uint64_t counts[] = {first, part.samples - first};
-      if (counts[0] > 0 && counts[1] > 0) {
+      const double counts[] = {countOf(part.firstEighth, half),
+                               countOf(part.firstEighth + half, half)};
+      if (counts[0] > 0.0 && counts[1] > 0.0) {
         if (bytes + each > settings_.maxBytes) {
           ++capped;
           settle(part);
@@ -61,16 +67,14 @@ std::pmr::vector<Field::Newcomer> Field::splitAll(SpatialTree& tree,
         }
         bytes += each;
       }
-      const uint32_t keeper = counts[0] > 0 ? 0 : 1;
+      const uint32_t keeper = counts[0] > 0.0 ? 0 : 1;
       const uint32_t other = tree.split(part.leaf, keeper);
       const auto share = [&](uint32_t side) {
-        // No more than the whole, even by rounding.
-        return part.weight *
-               (static_cast<double>(counts[side]) / static_cast<double>(part.samples));
+        return part.weight * (counts[side] / part.samples);  // no more than the whole by rounding
       };
       parts.push_back({part.leaf, part.known, part.firstEighth + keeper * half, half,
                        counts[keeper], share(keeper)});
-      if (counts[1 - keeper] == 0) continue;
+      if (!(counts[1 - keeper] > 0.0)) continue;
       Owned<Patch> made = makeOwned<Patch>(
           memory, memory,
           learning_.freshStatistics(density(whole).level(), next.statistics->units()));
