@@ -8,6 +8,7 @@
 
 #include "console.h"
 #include "failure.h"
+#include "gltf_geometry.h"
 
 namespace command {
 namespace {
@@ -15,8 +16,10 @@ namespace {
 using nlohmann::json;
 
 // A .glb: magic, version, length of all; then chunks of length, type, bytes. Little-endian.
-constexpr uint32_t kMagic = 0x46546C67;      // "glTF"
-constexpr uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
+constexpr uint32_t kMagic = 0x46546C67;        // "glTF"
+constexpr uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
+constexpr uint32_t kBinaryChunk = 0x004E4942;  // "BIN"
+constexpr int kDeepestJson = 100;
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 
 uint32_t readWord(const std::string& bytes, std::size_t offset) {
@@ -33,6 +36,26 @@ void appendWord(std::string& bytes, std::size_t word) {
 bool isHarmless(const std::string& extension) {
   return extension.rfind("KHR_materials_", 0) == 0 || extension == "KHR_texture_transform" ||
          extension == "KHR_lights_punctual";
+}
+
+/// Writing JSON goes down by recursion, and so does Assimp reading it. Found before it is parsed:
+/// the JSON library's own way of telling depths takes quadratic time.
+bool isTooDeep(const std::string& text) {
+  int depth = 0;
+  bool inText = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inText && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      inText = !inText;
+    } else if (!inText && (c == '[' || c == '{')) {
+      if (++depth > kDeepestJson) return true;
+    } else if (!inText && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return false;
 }
 
 std::array<float, 3> readColor(const json& object, const char* key, float missing) {
@@ -62,11 +85,22 @@ GltfFile::GltfFile(const std::string& path) : path_(path) {
         "is truncated: " + std::to_string(bytes.size()) + " bytes where its header tells of " +
         std::to_string(std::max<std::size_t>(readWord(bytes, 8), kHeader + kChunkHeader + length)));
   }
-  binary_ = bytes.substr(kHeader + kChunkHeader + length);
+  takeBinary(bytes.substr(kHeader + kChunkHeader + length));
   parse(bytes.substr(kHeader + kChunkHeader, length));
 }
 
+/// The first chunk of data; what follows it says nothing.
+void GltfFile::takeBinary(const std::string& chunks) {
+  if (chunks.empty()) return;
+  const std::size_t length = chunks.size() < kChunkHeader ? 0 : readWord(chunks, 0);
+  if (chunks.size() < kChunkHeader || chunks.size() - kChunkHeader < length) {
+    fail("is truncated within its data");
+  }
+  if (readWord(chunks, 4) == kBinaryChunk) binary_ = chunks.substr(0, kChunkHeader + length);
+}
+
 void GltfFile::parse(const std::string& text) {
+  if (isTooDeep(text)) fail("is nested too deep");
   try {
     file_ = json::parse(text);
     if (!file_.is_object()) fail("is no JSON object");
@@ -97,13 +131,13 @@ const json& GltfFile::list(const char* key) const {
 }
 
 std::string GltfFile::relabelled() const {
-  json file = file_;
-  for (const char* kind : {"mesh", "node"}) {
-    const std::string key = kind + std::string(std::strcmp(kind, "mesh") == 0 ? "es" : "s");
-    if (!file.contains(key) || !file[key].is_array()) continue;
-    for (std::size_t i = 0; i < file[key].size(); ++i) {
-      if (file[key][i].is_object()) file[key][i]["name"] = kind + std::to_string(i);
-    }
+  json file;
+  try {
+    file = gltfGeometry(file_, binary_.empty() ? 0 : binary_.size() - kChunkHeader);
+  } catch (const json::exception& error) {
+    fail(error.what());
+  } catch (const Failure& failure) {
+    fail(failure.what());
   }
   std::string text = file.dump();
   if (!isBinary_) return text;

@@ -20,8 +20,8 @@ class GltfFile {
   /// Throws a Failure that names the file, as does everything below.
   explicit GltfFile(const std::string& path);
 
-  /// The file's content with meshes and nodes named "mesh0", "node0" and so on, by number, so that
-  /// what comes out of Assimp can be told.
+  /// The file's geometry (gltf_geometry.h) with meshes and nodes named "mesh0", "node0" and so on,
+  /// by number, so that what comes out of Assimp can be told.
   std::string relabelled() const;
 
   /// baseColorFactor as albedo, emissiveFactor times emissiveStrength as emission; then one for
@@ -47,6 +47,7 @@ class GltfFile {
 
  private:
   [[noreturn]] void fail(const std::string& reason) const;
+  void takeBinary(const std::string& chunks);
   void parse(const std::string& text);
   void checkExtensions() const;
   /// file_[key], an empty array if there is none.

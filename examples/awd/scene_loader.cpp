@@ -28,14 +28,23 @@ std::string extensionOf(const std::string& path) {
   return extension;
 }
 
-/// The file system, but that one file's content is ours.
-class OverlaidFiles final : public Assimp::DefaultIOSystem {
+/// Files, but no pipe or device, which may never end.
+class RegularFiles : public Assimp::DefaultIOSystem {
+ public:
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    if (!std::filesystem::is_regular_file(path)) return nullptr;
+    return DefaultIOSystem::Open(path, mode);
+  }
+};
+
+/// The same, but that one file's content is ours.
+class OverlaidFiles final : public RegularFiles {
  public:
   OverlaidFiles(std::string path, std::string content)
       : path_(std::move(path)), content_(std::move(content)) {}
 
   Assimp::IOStream* Open(const char* path, const char* mode) override {
-    if (path != path_) return DefaultIOSystem::Open(path, mode);
+    if (path != path_) return RegularFiles::Open(path, mode);
     return new Assimp::MemoryIOStream(reinterpret_cast<const uint8_t*>(content_.data()),
                                       content_.size());
   }
@@ -123,6 +132,7 @@ const aiScene& read(Assimp::Importer& importer, const std::string& path) {
 SceneData loadObj(const std::string& path) {
   const std::map<std::string, Material> defined = readObjText(path);
   Assimp::Importer importer;
+  importer.SetIOHandler(new RegularFiles);  // which then belongs to it
   const aiScene& scene = read(importer, path);
   SceneData data;
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {

