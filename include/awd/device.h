@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * The device: threads, callbacks, memory, and the registry of basis families. Two devices share
- * nothing.
+ * nothing, and may be at work at once.
+ *
+ * A process may fork, and goes on as if it hadn't. Its child may use what the parent made, unless a
+ * call was at work on it or on its device, and release it; with the same bits, though in one thread
+ * if those of a device had been started before. Then the child can't commit scenes
+ * (AWD_ERROR_INVALID_OPERATION). In a callback a child may but call _exit or exec.
  */
 #ifndef AWD_DEVICE_H
 #define AWD_DEVICE_H

@@ -2,6 +2,7 @@
 #include "util/parallel.h"
 
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -65,6 +66,22 @@ class Loop {
   std::exception_ptr error_;
 };
 
+/// The process in which oneTBB's threads were started for us. In one that was forked from it they
+/// are not, though oneTBB believes it, and may have left its locks taken for ever.
+std::atomic<pid_t> homeOfThreads{0};
+
+bool threadsAreElsewhere() {
+  const pid_t home = homeOfThreads.load(std::memory_order_relaxed);
+  return home != 0 && home != getpid();
+}
+
+/// False if they can't be started, since they are elsewhere.
+bool startThreads() {
+  if (threadsAreElsewhere()) return false;
+  homeOfThreads.store(getpid(), std::memory_order_relaxed);
+  return true;
+}
+
 #ifndef AWD_TBB
 /// The caller and threads - 1 helpers take indices in turn.
 void runOnThreads(unsigned threads, std::size_t count, Loop& loop) {
@@ -105,7 +122,11 @@ Parallel::Parallel(uint32_t threads, AWDParallelForFn hostFor, void* hostUser)
       hostUser_(hostUser),
       arena_(std::make_unique<Arena>(threads_)) {}
 
-Parallel::~Parallel() = default;
+Parallel::~Parallel() {
+#ifdef AWD_TBB
+  if (threadsAreElsewhere()) static_cast<void>(arena_.release());  // nor are there locks to end it
+#endif
+}
 
 void Parallel::run(std::size_t count, Task task, void* data) {
   Loop loop(task, data);
@@ -122,10 +143,14 @@ void Parallel::run(std::size_t count, Task task, void* data) {
     for (std::size_t i = 0; i < count; ++i) loop.once(i);
   } else {
 #ifdef AWD_TBB
-    arena_->arena.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, count, [&](std::size_t i) { loop.once(i); }, tbb::simple_partitioner());
-    });
+    if (startThreads()) {
+      arena_->arena.execute([&] {
+        tbb::parallel_for(
+            std::size_t{0}, count, [&](std::size_t i) { loop.once(i); }, tbb::simple_partitioner());
+      });
+    } else {
+      for (std::size_t i = 0; i < count; ++i) loop.once(i);
+    }
 #else
     runOnThreads(threads_, count, loop);
 #endif
@@ -134,6 +159,16 @@ void Parallel::run(std::size_t count, Task task, void* data) {
 }
 
 void Parallel::enter(Task task, void* data) {
+#ifdef AWD_TBB
+  const bool alone = threads_ == 1;
+#else
+  const bool alone = false;  // whoever schedules on oneTBB starts its threads
+#endif
+  if (alone ? threadsAreElsewhere() : !startThreads()) {
+    fail(AWD_ERROR_INVALID_OPERATION,
+         "this process was forked after the library's threads had been started, which are not in "
+         "it: commit scenes before, or call exec");
+  }
 #ifdef AWD_TBB
   Loop loop(task, data);
   arena_->arena.execute([&] { loop.once(0); });
