@@ -10,6 +10,8 @@
 #include <fstream>
 #include <memory>
 
+#include "util/uncancelled.h"
+
 namespace awd {
 
 namespace {
@@ -32,6 +34,7 @@ std::string mappedFile() {
 }  // namespace
 
 std::string libraryFolder() {
+  const Uncancelled uncancelled;
   std::string file;
   Dl_info info = {};
   void* extra = nullptr;

@@ -8,6 +8,7 @@
 #include "basis/module.h"
 #include "basis/self_test.h"
 #include "util/error.h"
+#include "util/uncancelled.h"
 
 namespace awd {
 
@@ -70,6 +71,7 @@ Check checkName(const std::string& name, bool first) {
 
 void checkModuleFile(const char* absolutePath,
                      const std::function<void(const AWDBasisCheck&)>& report) {
+  const Uncancelled uncancelled;
   const std::unique_ptr<Module> opened = openModule(absolutePath);
   const AWDBasisModule& module = opened->table();
   Reporter reporter(absolutePath, report);

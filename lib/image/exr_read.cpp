@@ -24,6 +24,7 @@
 #include "image/exr_names.h"
 #include "util/error.h"
 #include "util/file_bytes.h"
+#include "util/uncancelled.h"
 
 namespace awd {
 
@@ -243,6 +244,7 @@ class Reader {
 }  // namespace
 
 Ref<Image> readExr(Context& context, const char* path) {
+  const Uncancelled uncancelled;
   Reader reader(context, path);
   try {
     return reader.read();

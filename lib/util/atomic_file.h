@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "util/uncancelled.h"
+
 namespace awd {
 
 class AtomicFile {
@@ -28,6 +30,7 @@ class AtomicFile {
  private:
   [[noreturn]] void failed(const char* action) const;
 
+  Uncancelled uncancelled_;
   std::string path_, temporary_;
   int descriptor_ = -1;
   uint64_t position_ = 0;

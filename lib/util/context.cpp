@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "util/error.h"
+#include "util/uncancelled.h"
 
 namespace awd {
 
@@ -34,6 +35,7 @@ void Context::destroy() noexcept {
 
 void Context::log(int32_t severity, const char* format, ...) noexcept {
   if (!log_) return;
+  const Uncancelled uncancelled;  // what the host does with the text may take long
   char text[1024];
   va_list arguments;
   va_start(arguments, format);

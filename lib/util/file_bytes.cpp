@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "util/error.h"
+#include "util/uncancelled.h"
 
 namespace awd {
 
@@ -35,6 +36,7 @@ class Descriptor {
 }  // namespace
 
 std::pmr::vector<char> readFile(std::pmr::memory_resource* memory, const char* path) {
+  const Uncancelled uncancelled;
   const Descriptor file(open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status;
   if (file.get() < 0 || fstat(file.get(), &status) != 0) cantRead(path, std::strerror(errno));

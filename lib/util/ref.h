@@ -18,6 +18,12 @@ class RefCounted {
     if (count_.fetch_sub(1, std::memory_order_acq_rel) == 1) destroy();
   }
 
+  /// Whether a call that calls the host back is at work on it.
+  bool isAtWork() const noexcept { return atWork_.load(std::memory_order_relaxed); }
+  /// False if one is already.
+  bool beginWork() noexcept { return !atWork_.exchange(true, std::memory_order_acquire); }
+  void endWork() noexcept { atWork_.store(false, std::memory_order_release); }
+
  protected:
   RefCounted() = default;
   virtual ~RefCounted() = default;
@@ -27,6 +33,7 @@ class RefCounted {
   virtual void destroy() noexcept = 0;
 
   std::atomic<long> count_{1};
+  std::atomic<bool> atWork_{false};
 };
 
 /// Owns one reference.
