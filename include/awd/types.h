@@ -19,6 +19,17 @@
  *    (AWD_RENDER=OFF) fails those of scene.h, render.h and image.h with AWD_ERROR_UNSUPPORTED.
  *  - Threading: *free* functions may be called at any time from any thread. *Exclusive* ones want
  *    that no other call uses the same object meanwhile. Retain and Release are always free.
+ *  - Callbacks may call the library. While a call that calls back is at work (awdCommitScene,
+ * passes, adapts) its objects, and the field of a render, are not changed: exclusive functions of
+ * them, and recording in them, fail with AWD_ERROR_INVALID_OPERATION. All others work, and what is
+ * read of a film or of figures of passes is that of the passes before. The last reference may be
+ *    released: the object lives until the call returns. `alloc` and `free` may use other devices,
+ *    not their own. Functions of a basis module must not call the library: for the device that
+ *    looks at the module it is AWD_ERROR_INVALID_OPERATION.
+ *  - A callback must return. One that ends its thread (pthread_exit), throws or jumps ends the
+ *    process: there is no way back through what other threads have begun. A thread that is
+ *    cancelled from outside (pthread_cancel, not at once but where it may be, as is the default)
+ *    ends after the call that it is in.
  *  - Lengths are in the host's scene units, angles in radians, radiance in linear RGB.
  */
 #ifndef AWD_TYPES_H

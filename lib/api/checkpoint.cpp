@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/handles.h"
+#include "api/render_at_work.h"
 #include "api/saved_bytes.h"
 #include "awd/render.h"
 #include "render/render.h"
@@ -10,7 +11,7 @@ using namespace awd;
 extern "C" {
 
 AWDResult AWD_CALL awdSaveRender(AWDRender render, const char* path) noexcept {
-  return guard(__func__, [&] { object(render, "render").save(need(path, "path")); });
+  return guard(__func__, [&] { idleWithField(render).save(need(path, "path")); });
 }
 
 AWDResult AWD_CALL awdLoadRender(AWDScene scene, const char* path, AWDField field,

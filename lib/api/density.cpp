@@ -103,7 +103,7 @@ AWDResult AWD_CALL awdForkDensity(AWDDensity density, AWDDensity* fork) noexcept
 }
 
 AWDResult AWD_CALL awdJoinDensity(AWDDensity density, AWDDensity fork) noexcept {
-  return guard(__func__, [&] { object(density, "density").join(object(fork, "fork")); });
+  return guard(__func__, [&] { idle(density, "density").join(idle(fork, "fork")); });
 }
 
 AWDResult AWD_CALL awdSampleDensity(AWDDensity density, size_t count, const double* uniforms,
@@ -133,7 +133,7 @@ AWDResult AWD_CALL awdRecordDensity(AWDDensity density, size_t count, const doub
                                     const double* pdfs, const uint32_t* components,
                                     const double* values) noexcept {
   return guard(__func__, [&] {
-    Density& known = object(density, "density");
+    Density& known = idle(density, "density");
     checkCount(count);
     checkPoints(points, count, known.dimensions());
     if (pdfs) {
@@ -148,23 +148,23 @@ AWDResult AWD_CALL awdRecordDensity(AWDDensity density, size_t count, const doub
 
 AWDResult AWD_CALL awdAdaptDensity(AWDDensity density, AWDDensityReport* report) noexcept {
   return guard(__func__, [&] {
-    Density& known = object(density, "density");
+    const AtWork<Density> known(&object(density, "density"), "density");
     AWDDensityReport made = AWD_DENSITY_REPORT_INIT;
     // A bad output struct must be found before anything is changed.
     if (report) writeStruct(report, made, "report", "AWD_DENSITY_REPORT_INIT");
-    made = known.adapt();
+    made = known->adapt();
     if (report) writeStruct(report, made, "report", "AWD_DENSITY_REPORT_INIT");
   });
 }
 
 AWDResult AWD_CALL awdRefineDensity(AWDDensity density, uint32_t axis) noexcept {
-  return guard(__func__, [&] { object(density, "density").refine(axis); });
+  return guard(__func__, [&] { idle(density, "density").refine(axis); });
 }
 
 AWDResult AWD_CALL awdGetDensityEstimate(AWDDensity density,
                                          AWDDensityEstimate* estimate) noexcept {
   return guard(__func__, [&] {
-    const Estimate made = object(density, "density").estimate();
+    const Estimate made = idle(density, "density").estimate();
     AWDDensityEstimate out = AWD_DENSITY_ESTIMATE_INIT;
     out.integral = made.integral;
     out.standardError = made.standardError;
@@ -176,7 +176,7 @@ AWDResult AWD_CALL awdGetDensityEstimate(AWDDensity density,
 
 AWDResult AWD_CALL awdGetDensityInfo(AWDDensity density, AWDDensityInfo* info) noexcept {
   return guard(__func__, [&] {
-    writeStruct(info, object(density, "density").info(), "info", "AWD_DENSITY_INFO_INIT");
+    writeStruct(info, idle(density, "density").info(), "info", "AWD_DENSITY_INFO_INIT");
   });
 }
 
@@ -203,7 +203,7 @@ AWDResult AWD_CALL awdGetDensityCoefficients(AWDDensity density, AWDCoefficientF
 AWDResult AWD_CALL awdSetDensityCoefficients(AWDDensity density, const double* coefficients,
                                              size_t count) noexcept {
   return guard(__func__, [&] {
-    object(density, "density").setCoefficients(need(coefficients, "coefficients"), count);
+    idle(density, "density").setCoefficients(need(coefficients, "coefficients"), count);
   });
 }
 
@@ -271,29 +271,27 @@ AWDResult AWD_CALL awdGetDensityDetailEnergy(AWDDensity density, double* energie
 AWDResult AWD_CALL awdExportDensityStatistics(AWDDensity density, void* bytes, size_t capacity,
                                               size_t* size) noexcept {
   return guard(__func__, [&] {
-    const Density& known = object(density, "density");
+    const Density& known = idle(density, "density");
     giveBytes(known.statisticsBytes(), bytes, capacity, need(size, "size"));
   });
 }
 
 AWDResult AWD_CALL awdAddDensityStatistics(AWDDensity density, const void* bytes,
                                            size_t size) noexcept {
-  return guard(__func__, [&] {
-    object(density, "density").takeStatistics(need(bytes, "bytes"), size, false);
-  });
+  return guard(__func__,
+               [&] { idle(density, "density").takeStatistics(need(bytes, "bytes"), size, false); });
 }
 
 AWDResult AWD_CALL awdImportDensityStatistics(AWDDensity density, const void* bytes,
                                               size_t size) noexcept {
-  return guard(__func__, [&] {
-    object(density, "density").takeStatistics(need(bytes, "bytes"), size, true);
-  });
+  return guard(__func__,
+               [&] { idle(density, "density").takeStatistics(need(bytes, "bytes"), size, true); });
 }
 
 AWDResult AWD_CALL awdSaveDensity(AWDDensity density, void* bytes, size_t capacity,
                                   size_t* size) noexcept {
   return guard(__func__, [&] {
-    const Density& known = object(density, "density");
+    const Density& known = idle(density, "density");
     giveBytes(known.bytesOf(), bytes, capacity, need(size, "size"));
   });
 }

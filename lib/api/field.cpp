@@ -78,7 +78,7 @@ AWDResult AWD_CALL awdRecordField(AWDField field, uint32_t patch, const AWDDirec
                                   double value) noexcept {
   return guard(__func__, [&] {
     const AWDDirectionSample& known = *need(sample, "sample");
-    Field& into = object(field, "field");
+    Field& into = idle(field, "field");
     checkSample(into, known);
     into.record(patch, known, value);
   });
@@ -90,32 +90,32 @@ AWDResult AWD_CALL awdSetFieldScale(AWDField field, double magnitude) noexcept {
       fail(AWD_ERROR_INVALID_ARGUMENT, "magnitude is %g: it must be positive and finite",
            magnitude);
     }
-    object(field, "field").setScale(magnitude);
+    idle(field, "field").setScale(magnitude);
   });
 }
 
 AWDResult AWD_CALL awdAdaptField(AWDField field, AWDFieldStatistics* statistics) noexcept {
   return guard(__func__, [&] {
-    Field& known = object(field, "field");
+    const AtWork<Field> known(&object(field, "field"), "field");
     AWDFieldStatistics figures = AWD_FIELD_STATISTICS_INIT;
     // A bad output struct must be found before anything is changed.
     if (statistics) writeStruct(statistics, figures, "statistics", "AWD_FIELD_STATISTICS_INIT");
-    figures = known.adapt();
+    figures = known->adapt();
     if (statistics) writeStruct(statistics, figures, "statistics", "AWD_FIELD_STATISTICS_INIT");
   });
 }
 
 AWDResult AWD_CALL awdMarkField(AWDField field) noexcept {
-  return guard(__func__, [&] { object(field, "field").mark(); });
+  return guard(__func__, [&] { idle(field, "field").mark(); });
 }
 
 AWDResult AWD_CALL awdRevertField(AWDField field) noexcept {
-  return guard(__func__, [&] { object(field, "field").revert(); });
+  return guard(__func__, [&] { idle(field, "field").revert(); });
 }
 
 AWDResult AWD_CALL awdGetFieldStatistics(AWDField field, AWDFieldStatistics* statistics) noexcept {
   return guard(__func__, [&] {
-    writeStruct(statistics, object(field, "field").statistics(), "statistics",
+    writeStruct(statistics, idle(field, "field").statistics(), "statistics",
                 "AWD_FIELD_STATISTICS_INIT");
   });
 }

@@ -95,7 +95,7 @@ AWDResult AWD_CALL awdRecordFieldBatch(AWDField field, size_t count, const uint3
                                        const AWDDirectionSample* samples,
                                        const double* values) noexcept {
   return guard(__func__, [&] {
-    Field& known = object(field, "field");
+    Field& known = idle(field, "field");
     const char* const names[] = {"patches", "samples", "values"};
     needAll(count, names, patches, samples, values);
     forEachItem(count, [&](size_t i) {
@@ -110,7 +110,7 @@ AWDResult AWD_CALL awdRecordFieldBatch(AWDField field, size_t count, const uint3
 AWDResult AWD_CALL awdRecordFieldPath(AWDField field, size_t count, const AWDPathVertex* vertices,
                                       const float background[3], float radiance[3]) noexcept {
   return guard(__func__, [&] {
-    Field& known = object(field, "field");
+    Field& known = idle(field, "field");
     if (count > 0) need(vertices, "vertices");
     forEachItem(count, [&](size_t i) { checkVertex(known, vertices[i]); });
     for (size_t i = 0; i < count; ++i) {

@@ -13,7 +13,7 @@ extern "C" {
 AWDResult AWD_CALL awdSaveField(AWDField field, void* bytes, size_t capacity,
                                 size_t* size) noexcept {
   return guard(__func__, [&] {
-    const Field& known = object(field, "field");
+    const Field& known = idle(field, "field");
     giveBytes(known.bytesOf(), bytes, capacity, need(size, "size"));
   });
 }
@@ -29,7 +29,7 @@ AWDResult AWD_CALL awdLoadField(AWDDevice device, const void* bytes, size_t size
 
 AWDResult AWD_CALL awdWriteField(AWDField field, const char* path) noexcept {
   return guard(__func__, [&] {
-    const auto bytes = object(field, "field").bytesOf();
+    const auto bytes = idle(field, "field").bytesOf();
     AtomicFile file(need(path, "path"));
     file.write(bytes.data(), bytes.size());
     file.commit();
@@ -51,7 +51,7 @@ AWDResult AWD_CALL awdReadField(AWDDevice device, const char* path, AWDField* fi
 }
 
 AWDResult AWD_CALL awdMergeField(AWDField field, AWDField other) noexcept {
-  return guard(__func__, [&] { object(field, "field").merge(object(other, "other")); });
+  return guard(__func__, [&] { idle(field, "field").merge(idle(other, "other")); });
 }
 
 }  // extern "C"

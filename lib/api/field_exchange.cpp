@@ -33,7 +33,7 @@ AWDResult AWD_CALL awdExportField(AWDField field, const uint32_t* patches, size_
                                   uint64_t* numbers, size_t capacity, size_t* sums,
                                   size_t* maxima) noexcept {
   return guard(__func__, [&] {
-    const Field& known = object(field, "field");
+    const Field& known = idle(field, "field");
     const Field::Exchanged exchanged = exchangedOf(known, patches, patchCount);
     const Field::ExchangeSize size = known.exchangeSize(exchanged);
     if (!tellSize(size.sums, size.maxima, numbers, capacity, sums, maxima)) return;
@@ -44,7 +44,7 @@ AWDResult AWD_CALL awdExportField(AWDField field, const uint32_t* patches, size_
 AWDResult AWD_CALL awdImportField(AWDField field, const uint32_t* patches, size_t patchCount,
                                   const uint64_t* numbers, size_t count) noexcept {
   return guard(__func__, [&] {
-    Field& known = object(field, "field");
+    Field& known = idle(field, "field");
     const Field::Exchanged exchanged = exchangedOf(known, patches, patchCount);
     const Field::ExchangeSize size = known.exchangeSize(exchanged);
     checkCount(size.sums, size.maxima, numbers, count);

@@ -4,6 +4,7 @@
 
 #include "api/guard.h"
 #include "util/ref.h"
+#include "util/uncancelled.h"
 
 namespace awd {
 
@@ -26,6 +27,41 @@ template <class Handle>
 auto& object(Handle handle, const char* argument) {
   return *behind(need(handle, argument));
 }
+
+[[noreturn]] inline void failAtWork(const char* argument) {
+  fail(AWD_ERROR_INVALID_OPERATION,
+       "%s is at work in another call: wait for its end, also in a callback of that call",
+       argument);
+}
+
+/// The same, for a call that changes it, or that sees it half changed if another call is at work.
+template <class Handle>
+auto& idle(Handle handle, const char* argument) {
+  auto& known = object(handle, argument);
+  if (known.isAtWork()) failAtWork(argument);
+  return known;
+}
+
+/// For a call that calls the host back: whatever that does, the object is there to its end, no
+/// other call changes it, and the thread does not leave. Null: none.
+template <class T>
+class AtWork {
+ public:
+  AtWork(T* object, const char* argument) : object_(Ref<T>::share(object)) {
+    if (object && !object->beginWork()) failAtWork(argument);
+  }
+  ~AtWork() {
+    if (object_) object_->endWork();
+  }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+  T* operator->() const { return object_.get(); }
+  T& operator*() const { return *object_; }
+
+ private:
+  Uncancelled uncancelled_;
+  Ref<T> object_;
+};
 
 /// Hands a reference to the host.
 template <class Handle, class T>

@@ -51,7 +51,7 @@ AWDResult AWD_CALL awdGetLightChance(AWDField field, uint32_t patch, uint32_t li
 AWDResult AWD_CALL awdRecordLight(AWDField field, uint32_t patch, uint32_t light,
                                   double value) noexcept {
   return guard(__func__, [&] {
-    Field& known = object(field, "field");
+    Field& known = idle(field, "field");
     checkLight(lightsOf(known, patch), light);
     known.checkPatch(patch);
     known.recordLight(patch, known.view(patch), light, value);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "api/exchange.h"
-#include "api/handles.h"
+#include "api/render_at_work.h"
 #include "awd/render.h"
-#include "render/render.h"
 
 using namespace awd;
 
@@ -14,14 +13,14 @@ AWDResult AWD_CALL awdRenderPassPart(AWDRender render, const AWDSchedule* schedu
     *need(samplesPerPixel, "samplesPerPixel") = 0;
     AWDSchedule known = AWD_SCHEDULE_INIT;
     if (schedule) known = readStruct(schedule, "schedule", "AWD_SCHEDULE_INIT");
-    *samplesPerPixel = object(render, "render").passPart(known, part, parts);
+    *samplesPerPixel = RenderAtWork(object(render, "render"))->passPart(known, part, parts);
   });
 }
 
 AWDResult AWD_CALL awdExportPass(AWDRender render, uint64_t* numbers, size_t capacity, size_t* sums,
                                  size_t* maxima) noexcept {
   return guard(__func__, [&] {
-    const Render& known = object(render, "render");
+    const Render& known = idleWithField(render);
     const Field::ExchangeSize size = known.exchangeSize();
     if (!tellSize(size.sums, size.maxima, numbers, capacity, sums, maxima)) return;
     known.exportPass(numbers, numbers + size.sums);
@@ -31,7 +30,7 @@ AWDResult AWD_CALL awdExportPass(AWDRender render, uint64_t* numbers, size_t cap
 AWDResult AWD_CALL awdImportPass(AWDRender render, const uint64_t* numbers, size_t count,
                                  AWDPassStatistics* statistics) noexcept {
   return guard(__func__, [&] {
-    Render& known = object(render, "render");
+    Render& known = idleWithField(render);
     const Field::ExchangeSize size = known.exchangeSize();
     checkCount(size.sums, size.maxima, numbers, count);
     AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;

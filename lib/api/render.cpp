@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "api/field_maker.h"
-#include "api/handles.h"
+#include "api/render_at_work.h"
 #include "api/strides.h"
-#include "render/render.h"
 #include "render/schedule.h"
 
 using namespace awd;
@@ -58,7 +57,7 @@ AWDResult AWD_CALL awdNewRender(AWDScene scene, AWDField field, const AWDRenderD
     if (settings.guide == AWD_GUIDE_ADAPTIVE) {
       AWDFieldDesc own = AWD_FIELD_DESC_INIT;
       own.preset = settings.preset;
-      learner = field ? Ref<Field>::share(behind(field)) : makeSceneField(known, own);
+      learner = field ? Ref<Field>::share(&idle(field, "field")) : makeSceneField(known, own);
     }
     give(render, Render::make(known.device().shareContext(), geometry, learner, settings));
   });
@@ -94,11 +93,11 @@ AWDResult AWD_CALL awdGetRenderField(AWDRender render, AWDField* field) noexcept
 AWDResult AWD_CALL awdRenderPass(AWDRender render, uint32_t samplesPerPixel,
                                  AWDPassStatistics* statistics) noexcept {
   return guard(__func__, [&] {
-    Render& known = object(render, "render");
+    const RenderAtWork known(object(render, "render"));
     AWDPassStatistics figures = AWD_PASS_STATISTICS_INIT;
     // A bad output struct must be found before anything is changed.
     if (statistics) writeStruct(statistics, figures, "statistics", "AWD_PASS_STATISTICS_INIT");
-    figures = known.pass(samplesPerPixel);
+    figures = known->pass(samplesPerPixel);
     if (statistics) writeStruct(statistics, figures, "statistics", "AWD_PASS_STATISTICS_INIT");
   });
 }
@@ -107,7 +106,7 @@ AWDResult AWD_CALL awdRenderPasses(AWDRender render, const AWDSchedule* schedule
   return guard(__func__, [&] {
     AWDSchedule known = AWD_SCHEDULE_INIT;
     if (schedule) known = readStruct(schedule, "schedule", "AWD_SCHEDULE_INIT");
-    object(render, "render").passes(known);
+    RenderAtWork(object(render, "render"))->passes(known);
   });
 }
 

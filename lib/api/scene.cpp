@@ -66,7 +66,7 @@ AWDResult AWD_CALL awdAddMaterial(AWDScene scene, const AWDMaterialDesc* desc,
                                   uint32_t* material) noexcept {
   return guard(__func__, [&] {
     const uint32_t number =
-        object(scene, "scene").addMaterial(readStruct(desc, "desc", "AWD_MATERIAL_DESC_INIT"));
+        idle(scene, "scene").addMaterial(readStruct(desc, "desc", "AWD_MATERIAL_DESC_INIT"));
     if (material) *material = number;
   });
 }
@@ -74,13 +74,16 @@ AWDResult AWD_CALL awdAddMaterial(AWDScene scene, const AWDMaterialDesc* desc,
 AWDResult AWD_CALL awdAddMesh(AWDScene scene, const AWDMeshDesc* desc, uint32_t* mesh) noexcept {
   return guard(__func__, [&] {
     const uint32_t number =
-        object(scene, "scene").addMesh(readStruct(desc, "desc", "AWD_MESH_DESC_INIT"));
+        idle(scene, "scene").addMesh(readStruct(desc, "desc", "AWD_MESH_DESC_INIT"));
     if (mesh) *mesh = number;
   });
 }
 
 AWDResult AWD_CALL awdCommitScene(AWDScene scene) noexcept {
-  return guard(__func__, [&] { object(scene, "scene").commit(); });
+  return guard(__func__, [&] {
+    const AtWork<Scene> known(&object(scene, "scene"), "scene");
+    known->commit();
+  });
 }
 
 AWDResult AWD_CALL awdGetSceneInfo(AWDScene scene, AWDSceneInfo* info) noexcept {

@@ -2,6 +2,7 @@
 #include "basis/registry.h"
 
 #include <dirent.h>
+#include <pthread.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -24,6 +25,24 @@ std::string nameOf(const AWDBasisFamily& family) { return printable(family.name,
 
 }  // namespace
 
+void Registry::Mutex::lock() {
+  if (owner_.load(std::memory_order_relaxed) == std::this_thread::get_id()) {
+    fail(AWD_ERROR_INVALID_OPERATION,
+         "called from within a basis module that the device is looking at: its functions must not "
+         "call the library");
+  }
+  mutex_.lock();
+  pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &cancelState_);
+  owner_.store(std::this_thread::get_id(), std::memory_order_relaxed);
+}
+
+void Registry::Mutex::unlock() noexcept {
+  owner_.store(std::thread::id(), std::memory_order_relaxed);
+  const int before = cancelState_;
+  mutex_.unlock();
+  pthread_setcancelstate(before, nullptr);
+}
+
 Registry::Registry(Context& context, std::vector<std::string> folders, bool ignoreEnvironment)
     : context_(context), given_(std::move(folders)), ignoreEnvironment_(ignoreEnvironment) {}
 
@@ -33,7 +52,7 @@ const AWDBasisFamily& Registry::find(const char* name) {
   const AWDBasisFamily* family = nullptr;
   std::string text;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<Mutex> lock(mutex_);
     const Entry* entry = visible(name);
     if (!entry) {  // one that is there wins over all that could be found
       search();
@@ -53,7 +72,7 @@ const AWDBasisFamily& Registry::find(const char* name) {
 }
 
 void Registry::load(const char* absolutePath) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<Mutex> lock(mutex_);
   const std::unique_ptr<Module> module = open(absolutePath);
   const AWDBasisModule& table = module->table();
   for (uint32_t i = 0; i < table.familyCount; ++i) settle(nameOf(*table.families[i]));
@@ -63,7 +82,7 @@ void Registry::load(const char* absolutePath) {
 }
 
 void Registry::add(const AWDBasisModule& module) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<Mutex> lock(mutex_);
   try {
     checkModule(&module);
   } catch (const Error& error) {
@@ -78,7 +97,7 @@ void Registry::add(const AWDBasisModule& module) {
 std::size_t Registry::count() {
   std::size_t count = 0;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<Mutex> lock(mutex_);
     search();
     settleAll();
     count = families_.size() + refused_.size();
@@ -89,7 +108,7 @@ std::size_t Registry::count() {
 
 AWDBasisInfo Registry::info(std::size_t index) {
   const std::size_t all = count();
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<Mutex> lock(mutex_);
   if (index >= families_.size() + refused_.size()) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "index %zu is not below the count of %zu", index, all);
   }
@@ -322,7 +341,7 @@ std::string Registry::missing(const char* name) const {
 void Registry::flushLog() {
   std::vector<std::string> lines;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<Mutex> lock(mutex_);
     lines.swap(log_);
   }
   for (const std::string& line : lines) context_.log(AWD_LOG_WARNING, "%s", line.c_str());

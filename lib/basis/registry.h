@@ -2,10 +2,12 @@
 // The basis families of one device, by name, and the candidates that were refused.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <memory_resource>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "awd/basis.h"
@@ -97,7 +99,19 @@ class Registry {
   const std::vector<std::string> given_;
   const bool ignoreEnvironment_;
 
-  std::mutex mutex_;  // guards all below; never held while the host is called
+  /// A mutex that fails instead of waiting for itself: when a function of a basis module, which is
+  /// called by the self-test, calls the library. A thread does not leave while it has it.
+  class Mutex {
+   public:
+    void lock();
+    void unlock() noexcept;
+
+   private:
+    std::mutex mutex_;
+    int cancelState_ = 0;
+    std::atomic<std::thread::id> owner_{};
+  };
+  Mutex mutex_;  // guards all below; never held while the host is called
   bool searched_ = false;
   std::vector<Folder> folders_;                 // that were searched
   std::vector<Candidate> candidates_;           // as they were found
