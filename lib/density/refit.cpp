@@ -142,7 +142,8 @@ Coefficients refit(const Refitter& refitter, const NormalEquations& equations,
   Coefficients c(n, 0.0, fallback.get_allocator());
   const AWDResult result = refitter.solver->solve(&problem, c.data(), &outcome);
   outcome.message[sizeof outcome.message - 1] = '\0';
-  if (result == AWD_ERROR_CANCELLED) fail(AWD_ERROR_CANCELLED, "adapt: cancelled by the progress callback");
+  if (result == AWD_ERROR_CANCELLED)
+    fail(AWD_ERROR_CANCELLED, "adapt: cancelled by the progress callback");
   if (result == AWD_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
 
   report.status = result == AWD_SUCCESS ? outcome.status : AWD_REFIT_FAILED;

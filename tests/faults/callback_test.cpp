@@ -66,7 +66,7 @@ TEST_P(CallsBack, InAPass) {
   CallerBack host, quiet;
   Begun begun(host, GetParam()), undisturbed(quiet, GetParam());
   const Film before = readFilm(begun.render);
-  host.at_("pass", 2, [&] {
+  host.onCall("pass", 2, [&] {
     AWDSchedule schedule = AWD_SCHEDULE_INIT;
     schedule.totalSamples = 4;
     uint32_t samples = 0;
@@ -99,7 +99,7 @@ TEST_P(CallsBack, InAnAdapt) {
   const TemporaryFolder folder;
   CallerBack host, quiet;
   Begun begun(host, GetParam()), undisturbed(quiet, GetParam());
-  host.at_("adapt", 1, [&] {
+  host.onCall("adapt", 1, [&] {
     useExclusively(begun.field, folder.path("field"));
     expectAtWork(awdRenderPass(begun.render, 1, nullptr));
     expectAtWork(awdSaveRender(begun.render, folder.path("render").c_str()));
@@ -118,7 +118,7 @@ TEST_P(CallsBack, InACommit) {
   const AWDMeshDesc mesh = room.mesh();
   const AWDMaterialDesc material = AWD_MATERIAL_DESC_INIT;
   const Film before = readFilm(begun.render);
-  host.at_("commit", 1, [&] {
+  host.onCall("commit", 1, [&] {
     expectAtWork(awdCommitScene(begun.scene));
     expectAtWork(awdAddMesh(begun.scene, &mesh, nullptr));
     expectAtWork(awdAddMaterial(begun.scene, &material, nullptr));
@@ -138,7 +138,7 @@ TEST_P(CallsBack, WithTheLastReferences) {
   {
     Begun begun(host, GetParam());
     AWDRender render = begun.render;
-    host.at_("pass", 2, [&] {
+    host.onCall("pass", 2, [&] {
       begun.render = Render();
       begun.field = Field();
       begun.scene = Scene();
@@ -151,7 +151,7 @@ TEST_P(CallsBack, WithTheLastReferences) {
   {
     Begun begun(host, GetParam());
     AWDField field = begun.field;
-    host.at_("adapt", 1, [&] {
+    host.onCall("adapt", 1, [&] {
       begun.render = Render();
       begun.field = Field();
       begun.scene = Scene();
@@ -165,19 +165,20 @@ TEST_P(CallsBack, WithTheLastReferences) {
 
 // --- basis modules -----------------------------------------------------------------------------
 
-AWDDevice looking = nullptr;  // the device that looks at the module
-AWDDevice other = nullptr;
-bool called = false;
+AWDDevice lookingDevice = nullptr;  // the device that looks at the module
+AWDDevice secondDevice = nullptr;
+bool hasCalled = false;
 
 void callTheLibrary() {
-  if (!looking || called) return;
-  called = true;
+  if (!lookingDevice || hasCalled) return;
+  hasCalled = true;
   size_t count = 0;
-  expectFailure(awdGetBasisCount(looking, &count), AWD_ERROR_INVALID_OPERATION, {"basis module"});
+  expectFailure(awdGetBasisCount(lookingDevice, &count), AWD_ERROR_INVALID_OPERATION,
+                {"basis module"});
   AWDField field = nullptr;
-  expectFailure(awdNewField(looking, nullptr, &field), AWD_ERROR_INVALID_OPERATION,
+  expectFailure(awdNewField(lookingDevice, nullptr, &field), AWD_ERROR_INVALID_OPERATION,
                 {"must not call"});
-  must(awdGetBasisCount(other, &count));
+  must(awdGetBasisCount(secondDevice, &count));
 }
 
 uint32_t boxCount(uint32_t level) {
@@ -220,12 +221,12 @@ const AWDBasisModule kModule = {sizeof kModule, AWD_BASIS_ABI, 1, "1.0", "Apache
 
 TEST(CallsBackFrom, ABasisModuleThatIsLookedAt) {
   const Device device = newDevice(1u), second = newDevice(1u);
-  looking = device;
-  other = second;
-  called = false;
+  lookingDevice = device;
+  secondDevice = second;
+  hasCalled = false;
   must(awdRegisterBasisModule(device, &kModule));
-  looking = nullptr;
-  EXPECT_TRUE(called);
+  lookingDevice = nullptr;
+  EXPECT_TRUE(hasCalled);
   AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
   desc.basis = "test.calling";
   newField(device, &desc);

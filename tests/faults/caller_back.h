@@ -23,7 +23,7 @@ struct CallerBack {
   std::atomic<bool> acted{false};
   CountingAllocator allocator;
 
-  void at_(const char* name, size_t call, std::function<void()> what, bool stops = false) {
+  void onCall(const char* name, size_t call, std::function<void()> what, bool stops = false) {
     operation = name;
     at = call;
     act = std::move(what);

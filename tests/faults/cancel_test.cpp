@@ -21,7 +21,7 @@ size_t cancelEach(CallerBack& host, const char* operation, const std::function<A
                   const std::function<void()>& check) {
   size_t cancelled = 0;
   for (size_t k = 1;; k += soakSize(1 + static_cast<long>(k) / 4, 1)) {
-    host.at_(operation, k, nullptr, true);
+    host.onCall(operation, k, nullptr, true);
     const AWDResult result = call();
     if (!host.acted) {
       EXPECT_EQ(result, AWD_SUCCESS) << awdGetLastErrorMessage();
@@ -134,7 +134,7 @@ TEST_P(Cancelled, InARefit) {
                 host, "adapt", [&] { return awdAdaptDensity(density, nullptr); },
                 [&] { EXPECT_TRUE(bytesOf() == before); }),
             1u);
-  host.at_("none", 0, nullptr);
+  host.onCall("none", 0, nullptr);
   must(awdAdaptDensity(twin, nullptr));
   const std::vector<char> after = bytesOf();
   awdReleaseDensity(density);

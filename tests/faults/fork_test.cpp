@@ -99,7 +99,7 @@ TEST_P(Forks, InACallbackTheChildEndsAndTheParentGoesOn) {
   CallerBack host, quiet;
   Begun begun(host, GetParam()), undisturbed(quiet, GetParam());
   int status = -1;
-  host.at_("pass", 2, [&] { status = inAChild([] { return true; }); });
+  host.onCall("pass", 2, [&] { status = inAChild([] { return true; }); });
   must(awdRenderPass(begun.render, 3, nullptr));
   EXPECT_EQ(status, 0);
   must(awdRenderPass(undisturbed.render, 3, nullptr));

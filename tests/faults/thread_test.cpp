@@ -85,7 +85,7 @@ TEST_P(ThreadsThatLeave, FromWithinACallbackEndTheProcess) {
       {
         CallerBack host;
         Begun begun(host, GetParam());
-        host.at_("pass", 2, [] { pthread_exit(nullptr); });
+        host.onCall("pass", 2, [] { pthread_exit(nullptr); });
         awdRenderPass(begun.render, 3, nullptr);
         std::_Exit(0);
       },
