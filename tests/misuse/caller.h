@@ -364,6 +364,11 @@ struct Function {
   const char* name;
   std::function<void(Caller&)> call;
   bool renders = false;  ///< of those that want the renderer
+  /// Retain and Release have none.
+  bool hasResult() const {
+    return std::strncmp(name, "awdRe", 5) != 0 ||
+           (std::strncmp(name, "awdRetain", 9) != 0 && std::strncmp(name, "awdRelease", 10) != 0);
+  }
 };
 
 /// Every function that the headers declare.

@@ -58,7 +58,7 @@ void addDevice(std::vector<Function>& all) {
                    c(awdLoadBasisModule, Args{c.device(), c.path(c.world().modulePath)});
                  }});
   all.push_back({"awdRegisterBasisModule", [](Caller& c) {
-                   const AWDBasisModule* module = &c.world().module;
+                   const AWDBasisModule* module = c.world().registered;
                    c(awdRegisterBasisModule, Args{c.device(), c.given(module)});
                  }});
   all.push_back({"awdCheckBasisModule", [](Caller& c) {

@@ -76,12 +76,12 @@ Caller& atRender(Caller& c, Had had) {
   AWDRender render = nullptr;
   awdNewRender(world.scenes[0], nullptr, &desc, &render);
   if (!render) return c;
-  world.renders.push_back(render);
+  world.renderers.push_back(render);
   const AWDSchedule passes = smallSchedule();
   uint32_t samples = 0;
   if (had != Had::kNothing) awdRenderPass(render, 2, nullptr);
   if (had == Had::kPassAndPart) awdRenderPassPart(render, &passes, 0, 1, &samples);
-  return c.first(world.renders.size() - 1);
+  return c.first(world.renderers.size() - 1);
 }
 
 void addRenderLife(std::vector<Function>& all) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/soak.h"
 
 namespace {
@@ -17,7 +19,7 @@ TEST(Sequences, EndWellWhateverTheCalls) {
   World world;
   const std::vector<double> reference = referenceBits(world.devices[0]);
   ASSERT_EQ(referenceBits(world.devices[0]), reference);
-  EXPECT_GT(reference[0], 0.0) << "a black film has no bits to lose";
+  EXPECT_GT(*std::max_element(reference.end() - 36, reference.end()), 0.0) << "a black film";
   int failures = 0;
   for (long seed = 0; seed < sequences && failures < 3; ++seed) {
     const std::vector<Step> steps = randomSteps(static_cast<uint64_t>(seed), kCalls);

@@ -326,7 +326,7 @@ const std::vector<Output>& allOutputs() {
        }},
       {"AWDPassStatistics", sizeof(AWDPassStatistics),
        [](World& world, void* out) {
-         const AWDRender render = world.renders[0];
+         const AWDRender render = world.renderers[0];
          const AWDSchedule schedule = smallSchedule();
          uint32_t samples = 0;
          size_t sums = 0, maxima = 0;

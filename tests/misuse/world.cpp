@@ -45,6 +45,21 @@ AWDDensity smallDensity(AWDDevice device, AWDDensityStructure structure) {
   return density;
 }
 
+std::vector<double> densityBits(AWDDevice device) {
+  const AWDDensity density = smallDensity(device, AWD_STRUCTURE_TREE);
+  double uniforms[64], points[64], values[32];
+  for (int i = 0; i < 64; ++i) uniforms[i] = (i * 37 % 64 + 0.5) / 64.0;
+  must(awdSampleDensity(density, 32, uniforms, points, nullptr, nullptr));
+  for (int i = 0; i < 32; ++i) values[i] = points[2 * i] * points[2 * i];
+  must(awdRecordDensity(density, 32, points, nullptr, nullptr, values));
+  must(awdAdaptDensity(density, nullptr));
+  must(awdSampleDensity(density, 32, uniforms, points, values, nullptr));
+  awdReleaseDensity(density);
+  std::vector<double> bits(std::begin(points), std::end(points));
+  bits.insert(bits.end(), std::begin(values), std::end(values));
+  return bits;
+}
+
 }  // namespace
 
 AWDDeviceDesc SmallMemory::desc(uint32_t threads) {
@@ -99,7 +114,8 @@ AWDRenderDesc smallRender(const AWDCamera& camera) {
 }
 
 std::vector<double> referenceBits(AWDDevice device) {
-  std::vector<double> bits;
+  std::vector<double> bits = densityBits(device);
+  if (!AWD_TEST_RENDERER) return bits;
   const awdtest::Scene scene(smallScene(device));
   const AWDCamera camera = smallCamera();
   const AWDRenderDesc desc = smallRender(camera);
@@ -113,22 +129,10 @@ std::vector<double> referenceBits(AWDDevice device) {
   float film[3 * 4 * 3];
   must(awdReadFilm(render, AWD_FILM_RADIANCE, film, 0, 0));
   bits.insert(bits.end(), std::begin(film), std::end(film));
-
-  const AWDDensity density = smallDensity(device, AWD_STRUCTURE_TREE);
-  double uniforms[64], points[64], values[32];
-  for (int i = 0; i < 64; ++i) uniforms[i] = (i * 37 % 64 + 0.5) / 64.0;
-  must(awdSampleDensity(density, 32, uniforms, points, nullptr, nullptr));
-  for (int i = 0; i < 32; ++i) values[i] = points[2 * i] * points[2 * i];
-  must(awdRecordDensity(density, 32, points, nullptr, nullptr, values));
-  must(awdAdaptDensity(density, nullptr));
-  must(awdSampleDensity(density, 32, uniforms, points, values, nullptr));
-  awdReleaseDensity(density);
-  bits.insert(bits.end(), std::begin(points), std::end(points));
-  bits.insert(bits.end(), std::begin(values), std::end(values));
   return bits;
 }
 
-World::World() : modulePath(AWD_TEST_MODULE) {
+World::World() : renders(AWD_TEST_RENDERER), modulePath(AWD_TEST_MODULE) {
   AWDDeviceDesc desc = memory.desc(1);
   for (int i = 0; i < 2; ++i) {
     if (i == 1) {
@@ -146,10 +150,38 @@ World::World() : modulePath(AWD_TEST_MODULE) {
   saveObjects();
 }
 
+World::World(World& shared)
+    : fieldFile(shared.fieldFile),
+      renderFile(shared.renderFile),
+      imageFile(shared.imageFile),
+      rubbishFile(shared.rubbishFile),
+      fieldBytes(shared.fieldBytes),
+      densityBytes(shared.densityBytes),
+      statisticsBytes(shared.statisticsBytes),
+      fieldNumbers(shared.fieldNumbers),
+      passNumbers(shared.passNumbers),
+      registered(shared.registered),
+      renders(shared.renders),
+      modulePath(shared.modulePath),
+      devices(shared.devices),
+      scenes(shared.scenes),
+      fields(shared.fields),
+      densities(shared.densities),
+      renderers(shared.renderers),
+      images(shared.images) {
+  const auto share = [](const auto& pool) {
+    for (const auto handle : pool) retain(handle);
+  };
+  share(devices), share(scenes), share(fields), share(densities), share(renderers), share(images);
+}
+
 void World::makeObjects(AWDDevice device) {
-  scenes.push_back(smallScene(device));
   AWDField field = nullptr;
-  must(awdNewSceneField(scenes.back(), nullptr, &field));
+  AWDFieldDesc spatial = AWD_FIELD_DESC_INIT;
+  for (float& upper : spatial.upper) upper = 2.0f;
+  if (renders) scenes.push_back(smallScene(device));
+  must(renders ? awdNewSceneField(scenes.back(), nullptr, &field)
+               : awdNewField(device, &spatial, &field));
   fields.push_back(field);
   AWDFieldDesc own = AWD_FIELD_DESC_INIT;
   const float powers[] = {1.0f, 2.0f, 0.0f};
@@ -158,14 +190,15 @@ void World::makeObjects(AWDDevice device) {
   own.patches = AWD_PATCHES_HOST;
   must(awdNewField(device, &own, &field));
   fields.push_back(field);
+  densities.push_back(smallDensity(device, AWD_STRUCTURE_GRID));
+  densities.push_back(smallDensity(device, AWD_STRUCTURE_TREE));
+  if (!renders) return;
   const AWDCamera camera = smallCamera();
   const AWDRenderDesc desc = smallRender(camera);
   AWDRender render = nullptr;
   must(awdNewRender(scenes.back(), nullptr, &desc, &render));
-  renders.push_back(render);
+  renderers.push_back(render);
   must(awdRenderPass(render, 2, nullptr));
-  densities.push_back(smallDensity(device, AWD_STRUCTURE_GRID));
-  densities.push_back(smallDensity(device, AWD_STRUCTURE_TREE));
   AWDImage image = nullptr;
   must(awdNewFilmImage(render, &image));
   must(awdSetImageMetadata(image, "key", "value"));
@@ -179,8 +212,7 @@ void World::saveObjects() {
   rubbishFile = folder.path("rubbish");
   std::ofstream(rubbishFile) << std::string(1000, 'r');
   must(awdWriteField(fields[1], fieldFile.c_str()));
-  must(awdSaveRender(renders[0], renderFile.c_str()));
-  must(awdWriteImageEXR(images[0], imageFile.c_str()));
+  if (renders) saveRender();
   size_t size = 0, maxima = 0;
   must(awdSaveField(fields[1], nullptr, 0, &size));
   fieldBytes.resize(size);
@@ -194,13 +226,6 @@ void World::saveObjects() {
   must(awdExportField(fields[1], nullptr, 0, nullptr, 0, &size, &maxima));
   fieldNumbers.resize(size + maxima);
   must(awdExportField(fields[1], nullptr, 0, fieldNumbers.data(), size + maxima, &size, &maxima));
-  const AWDSchedule schedule = smallSchedule();
-  uint32_t samples = 0;
-  must(awdRenderPassPart(renders[0], &schedule, 0, 1, &samples));
-  must(awdExportPass(renders[0], nullptr, 0, &size, &maxima));
-  passNumbers.resize(size + maxima);
-  must(awdExportPass(renders[0], passNumbers.data(), size + maxima, &size, &maxima));
-
   void* library = dlopen(modulePath.c_str(), RTLD_NOW | RTLD_LOCAL);
   const auto entry =
       reinterpret_cast<AWDBasisModuleFn>(library ? dlsym(library, "awdBasisModule_v1") : nullptr);
@@ -213,6 +238,18 @@ void World::saveObjects() {
   module.families = families;
 }
 
+void World::saveRender() {
+  must(awdSaveRender(renderers[0], renderFile.c_str()));
+  must(awdWriteImageEXR(images[0], imageFile.c_str()));
+  size_t size = 0, maxima = 0;
+  const AWDSchedule schedule = smallSchedule();
+  uint32_t samples = 0;
+  must(awdRenderPassPart(renderers[0], &schedule, 0, 1, &samples));
+  must(awdExportPass(renderers[0], nullptr, 0, &size, &maxima));
+  passNumbers.resize(size + maxima);
+  must(awdExportPass(renderers[0], passNumbers.data(), size + maxima, &size, &maxima));
+}
+
 void World::release() {
   const auto drop = [](auto& pool, size_t kept) {
     while (pool.size() > kept) {
@@ -220,12 +257,12 @@ void World::release() {
       pool.pop_back();
     }
   };
-  drop(renders, 0), drop(images, 0), drop(fields, 0), drop(densities, 0), drop(scenes, 0);
+  drop(renderers, 0), drop(images, 0), drop(fields, 0), drop(densities, 0), drop(scenes, 0);
   drop(devices, 1);
 }
 
 size_t World::references() const {
-  return devices.size() + scenes.size() + fields.size() + densities.size() + renders.size() +
+  return devices.size() + scenes.size() + fields.size() + densities.size() + renderers.size() +
          images.size();
 }
 

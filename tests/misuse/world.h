@@ -29,8 +29,9 @@ using Pool = std::vector<T>;
 
 struct World {
   World();
+  /// References of its own to the objects of another one, such as for a thread.
+  explicit World(World& shared);
   ~World();
-  World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   /// Drops every reference but that of the first device.
@@ -49,6 +50,8 @@ struct World {
   std::vector<char> fieldBytes, densityBytes, statisticsBytes;
   std::vector<uint64_t> fieldNumbers, passNumbers;
   AWDBasisModule module{};  ///< good; its families live as long
+  const AWDBasisModule* registered = &module;
+  bool renders = true;  ///< of a library with the renderer
   AWDBasisFamily family{};
   const AWDBasisFamily* families[1] = {&family};
   std::string modulePath;
@@ -57,12 +60,13 @@ struct World {
   Pool<AWDScene> scenes;
   Pool<AWDField> fields;
   Pool<AWDDensity> densities;
-  Pool<AWDRender> renders;
+  Pool<AWDRender> renderers;
   Pool<AWDImage> images;
 
  private:
   void makeObjects(AWDDevice device);
   void saveObjects();
+  void saveRender();
 };
 
 template <>
@@ -83,7 +87,7 @@ inline Pool<AWDDensity>& World::pool() {
 }
 template <>
 inline Pool<AWDRender>& World::pool() {
-  return renders;
+  return renderers;
 }
 template <>
 inline Pool<AWDImage>& World::pool() {
