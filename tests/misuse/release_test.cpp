@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "misuse/world.h"
 #include "support/handles.h"
@@ -17,8 +16,11 @@ using awdtest::must;
 
 /// Something of every kind that needs its parents.
 void use(World& world) {
-  size_t count = 0;
-  for (const AWDDevice device : world.devices) must(awdGetBasisCount(device, &count));
+  for (const AWDDevice device : world.devices) {
+    AWDImage image = nullptr;
+    must(awdNewImage(device, 1, 1, &image));
+    awdReleaseImage(image);
+  }
   for (const AWDScene scene : world.scenes) must(awdCommitScene(scene));
   for (const AWDField field : world.fields) must(awdAdaptField(field, nullptr));
   for (const AWDRender render : world.renderers) must(awdRenderPass(render, 1, nullptr));
@@ -62,7 +64,7 @@ TEST(Releases, InAnyOrder) {
     retainTwice(world.renderers), retainTwice(world.fields), retainTwice(world.densities);
     retainTwice(world.scenes), retainTwice(world.images), retainTwice(world.devices);
     awdtest::Random random(static_cast<uint64_t>(order));
-    bool parentsFirst = order == 0;
+    const bool parentsFirst = order == 0;
     while (world.references() > 0) {
       // First the devices, then the scenes and so on, or at random.
       size_t index = parentsFirst ? 0 : random.bits() % world.references();
