@@ -69,7 +69,7 @@ const AWDSchedule* schedule(Caller& c) {
 /// of the next.
 enum class Had { kNothing, kPass, kPassAndPart };
 Caller& atRender(Caller& c, Had had) {
-  if (c.wild()) return c;
+  if (c.wild() || !c.world().renders) return c;
   World& world = c.world();
   const AWDCamera camera = smallCamera();
   const AWDRenderDesc desc = smallRender(camera);
