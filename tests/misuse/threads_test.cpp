@@ -3,6 +3,7 @@
 // objects, and all functions where one call follows the other.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <regex>
@@ -67,6 +68,10 @@ std::vector<std::string> runThreads(World& shared, long calls, Choose&& mayCall,
 
 class Threads : public testing::Test {
  protected:
+  // Where wild calls write what has no folder in its name.
+  Threads() { std::filesystem::current_path(world_.folder.path("")); }
+  ~Threads() override { std::filesystem::current_path(before_); }
+
   void expectNoneTheWorse(const std::vector<std::string>& complaints) {
     for (const std::string& complaint : complaints) EXPECT_EQ(complaint, "");
     EXPECT_TRUE(referenceBits(world_.devices[0]) == reference_);
@@ -75,6 +80,7 @@ class Threads : public testing::Test {
     world_.devices.clear();
     EXPECT_EQ(world_.memory.blocks(), 0u);
   }
+  const std::filesystem::path before_ = std::filesystem::current_path();
   World world_;
   std::vector<double> reference_ = referenceBits(world_.devices[0]);
 };
