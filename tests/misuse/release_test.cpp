@@ -7,6 +7,7 @@
 
 #include "misuse/world.h"
 #include "support/handles.h"
+#include "support/random.h"
 #include "support/soak.h"
 
 namespace {
