@@ -51,7 +51,10 @@ for revision in "${revisions[@]}"; do
   old=$work/$what-$revision
   rm -rf "$work/$what"-*
   mkdir -p "$old"
-  in_history archive "$revision" | tar -x -C "$old" || skip "$revision is not in this clone"
+  paths=()
+  [[ $what != host ]] || paths=(include tests/abi/host.c)
+  in_history archive "$revision" "${paths[@]}" | tar -x -C "$old" ||
+    skip "$revision is not in this clone"
   if [[ $what == host ]]; then
     "$cc" -std=c99 -I "$old/include" "$old/tests/abi/host.c" "$library" \
       -Wl,-rpath,"$(dirname "$library")" -o "$old/host" ||
