@@ -19,10 +19,10 @@
  *    (AWD_RENDER=OFF) fails those of scene.h, render.h and image.h with AWD_ERROR_UNSUPPORTED.
  *  - Threading: *free* functions may be called at any time from any thread. *Exclusive* ones want
  *    that no other call uses the same object meanwhile. Retain and Release are always free.
- *  - Callbacks may call the library. While a call that calls back is at work (awdCommitScene, passes,
- *    adapts) its objects, and the field of a render, are not changed: exclusive functions of them
- *    fail with AWD_ERROR_INVALID_OPERATION, as does recording in them. Those that read a film or the
- *    figures of passes tell of the passes before; all others work. The last reference may be
+ *  - Callbacks may call the library. While a call that calls back is at work (a commit, a pass, an
+ *    adapt) its objects, and the field of a render, are not changed: exclusive functions of them
+ *    fail with AWD_ERROR_INVALID_OPERATION, as does recording in them. Those that read a film or
+ *    the figures of passes tell of the passes before; all others work. The last reference may be
  *    released: the object lives until the call returns. `alloc` and `free` may use other devices,
  *    not their own. Functions of a basis module must not call the library: for the device that
  *    looks at the module it is AWD_ERROR_INVALID_OPERATION.

@@ -77,14 +77,19 @@ void* operator new(size_t size, std::align_val_t alignment) {
 void* operator new[](size_t size, std::align_val_t alignment) {
   return allocateOrThrow(size, static_cast<size_t>(alignment), AWD_CALLER);
 }
-void operator delete(void* ptr) noexcept { std::free(ptr); }
-void operator delete[](void* ptr) noexcept { std::free(ptr); }
-void operator delete(void* ptr, size_t) noexcept { std::free(ptr); }
-void operator delete[](void* ptr, size_t) noexcept { std::free(ptr); }
-void operator delete(void* ptr, std::align_val_t) noexcept { std::free(ptr); }
-void operator delete[](void* ptr, std::align_val_t) noexcept { std::free(ptr); }
-void operator delete(void* ptr, size_t, std::align_val_t) noexcept { std::free(ptr); }
-void operator delete[](void* ptr, size_t, std::align_val_t) noexcept { std::free(ptr); }
+// Were one of these inlined, gcc would take what it frees for memory of another operator new.
+[[gnu::noinline]] void operator delete(void* ptr) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete[](void* ptr) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete(void* ptr, size_t) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete[](void* ptr, size_t) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete(void* ptr, std::align_val_t) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete[](void* ptr, std::align_val_t) noexcept { std::free(ptr); }
+[[gnu::noinline]] void operator delete(void* ptr, size_t, std::align_val_t) noexcept {
+  std::free(ptr);
+}
+[[gnu::noinline]] void operator delete[](void* ptr, size_t, std::align_val_t) noexcept {
+  std::free(ptr);
+}
 
 /// Not ours: the Embree and OpenEXR of Debian 12 leak what they have begun to make when operator
 /// new throws (a device; the attributes of a header). Embree's lies without frames in its library.

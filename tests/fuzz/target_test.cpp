@@ -45,8 +45,8 @@ TEST_P(FuzzTargets, TakeWhatWasFound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, FuzzTargets, testing::Values(AWD_FUZZ_TARGETS),
-                         [](const testing::TestParamInfo<const Target*>& info) {
-                           std::string name = info.param->name;
+                         [](const testing::TestParamInfo<const Target*>& at) {
+                           std::string name = at.param->name;
                            name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
                            return name;
                          });
