@@ -31,6 +31,9 @@ std::string extensionOf(const std::string& path) {
 /// Files, but no pipe or device, which may never end.
 class RegularFiles : public Assimp::DefaultIOSystem {
  public:
+  bool Exists(const char* path) const override {  // which else opens it
+    return std::filesystem::is_regular_file(path);
+  }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     if (!std::filesystem::is_regular_file(path)) return nullptr;
     return DefaultIOSystem::Open(path, mode);

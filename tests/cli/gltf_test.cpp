@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // scene_loader.h and gltf_file.h on glTF files
+#include <sys/stat.h>
+
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "scene_loader.h"
@@ -266,6 +269,79 @@ TEST_F(GltfTest, RefusesDegenerateCameras) {
                      .empty())
         << yfov;
   }
+}
+
+/// What each of these made Assimp do: read or write beyond its memory, recurse until the stack was
+/// used up, or take all memory.
+TEST_F(GltfTest, WhatAssimpTrustsInIsChecked) {
+  const auto expectRefused = [&](const std::function<void(json&)>& change, const char* part) {
+    json file = squareScene();
+    change(file);
+    EXPECT_CONTAINS(failure(file), part);
+  };
+  constexpr uint64_t kAlmost64 = ~uint64_t{0} - 15;
+  const auto at = [](const char* list, int index, const char* key, const json& value) {
+    return [=](json& file) { file[list][index][key] = value; };
+  };
+  expectRefused(at("bufferViews", 0, "byteOffset", kAlmost64), "byteOffset");
+  expectRefused(at("bufferViews", 0, "byteOffset", 13), "beyond its buffer");
+  expectRefused(at("bufferViews", 1, "byteLength", uint64_t{1} << 32), "beyond its buffer");
+  expectRefused(at("bufferViews", 0, "byteStride", 4), "beyond its bufferView");
+  expectRefused(at("accessors", 0, "byteOffset", kAlmost64), "byteOffset");
+  expectRefused(at("accessors", 0, "byteOffset", 1), "beyond its bufferView");
+  expectRefused(at("accessors", 0, "count", uint64_t{1} << 31), "beyond its bufferView");
+  expectRefused(at("accessors", 1, "count", uint64_t{1} << 32), "count");
+  expectRefused(at("accessors", 1, "count", -1), "count");
+  expectRefused(at("accessors", 1, "count", 0), "is empty");
+  expectRefused(at("accessors", 1, "type", "VEC3"), "not of indices");
+  expectRefused(at("accessors", 1, "componentType", 5126), "not of indices");
+  expectRefused(at("accessors", 0, "componentType", 5121), "not of positions");
+  expectRefused(at("accessors", 0, "sparse", {{"count", 4294967295u}}), "sparse");
+  expectRefused([](json& file) { file["accessors"][0].erase("bufferView"); }, "no bufferView");
+  for (const int mode : {5, 6}) {
+    expectRefused(
+        [&](json& file) {
+          file["accessors"][1]["count"] = 1;
+          file["meshes"][0]["primitives"][0]["mode"] = mode;
+        },
+        "of 1 corners");
+  }
+  expectRefused(at("nodes", 0, "children", {0}), "its own ancestor");
+  expectRefused(
+      [](json& file) {
+        file["nodes"] = {{{"children", {1, 1}}}, {{"mesh", 0}}};
+      },
+      "two parents");
+  const auto chain = [](std::size_t length) {
+    return [=](json& file) {
+      file["nodes"] = json::array();
+      for (std::size_t i = 1; i < length; ++i) file["nodes"].push_back({{"children", {i}}});
+      file["nodes"].push_back({{"mesh", 0}});
+    };
+  };
+  expectRefused(chain(100000), "levels deep");
+  json deep = squareScene();
+  chain(500)(deep);
+  EXPECT_EQ(load(deep).meshes.size(), 1u);
+
+  std::string nested = squareScene().dump();
+  nested.pop_back();
+  nested += ",\"extras\":" + std::string(100000, '[') + std::string(100000, ']') + "}";
+  EXPECT_CONTAINS(failure("nested.gltf", nested), "nested too deep");
+  nested = squareScene({{"extras", std::string(200, '[') + "\"\\"}}).dump();
+  EXPECT_EQ(load(json::parse(nested)).meshes.size(), 1u) << "brackets in texts are none";
+  std::string cut = binaryScene();
+  cut.resize(cut.size() - 1);
+  cut.replace(8, 4, word(cut.size()));
+  EXPECT_CONTAINS(failure("cut.glb", cut), "truncated within its data");
+}
+
+TEST_F(GltfTest, APipeIsNoBuffer) {
+  const std::string pipe = folder() + "/pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  json file = squareScene();
+  file["buffers"][0]["uri"] = "pipe";
+  EXPECT_NE(failure(file), "") << "and it did not wait for it";
 }
 
 }  // namespace
