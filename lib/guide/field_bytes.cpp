@@ -87,7 +87,8 @@ FieldSettings getSettings(ByteReader& reader, std::pmr::memory_resource* memory,
   settings.startLevel = reader.get<uint32_t>(family->minLevel, finest);
   settings.maxLevel = reader.get<uint32_t>(settings.startLevel, finest);
   learning.estimator = reader.get<int32_t>(AWD_ESTIMATOR_PAPER, AWD_ESTIMATOR_LUMPED);
-  learning.tau = reader.get(-kLargest, 1.0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();  // negated: no floor
+  learning.tau = reader.get(-kInfinity, 1.0);
   learning.shrinkage = reader.get(0.0, kLargest);
   learning.refitShrinkage = reader.get(-1.0, kLargest);
   learning.maxCoefficients = reader.get<uint64_t>();
