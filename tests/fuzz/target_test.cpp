@@ -24,7 +24,7 @@ TEST_P(FuzzTargets, TakeSeedsAndChangesOfThem) {
   ASSERT_FALSE(seeds.empty());
   for (const Input& seed : seeds) target.run(seed.data(), seed.size());
   awdtest::Random random(1999);
-  for (long left = awdtest::soakSize(100, 20000); left > 0; --left) {
+  for (long left = awdtest::soakSize(60, 20000); left > 0; --left) {
     const Input input = fuzz::mutated(seeds[random.bits() % seeds.size()], 1u << 16, random);
     target.run(input.data(), input.size());
   }

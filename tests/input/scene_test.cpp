@@ -295,6 +295,19 @@ TEST_F(BadScene, QueriesOfWhatIsNotThere) {
   expectFailure(awdGetPointPatch(scene_, nowhere, &patch), AWD_ERROR_INVALID_ARGUMENT, {"point"});
 }
 
+/// Embree would end the program.
+TEST_F(BadScene, RaysThatBeginBehindTheirOrigin) {
+  add(Strip(1));
+  must(awdCommitScene(scene_));
+  AWDHit hit;
+  uint8_t occluded;
+  for (const float bad : {-1.0f, -kInfinity, kInfinity}) {
+    const AWDRay ray = {{0.5f, 0.25f, 1.0f}, bad, {0.0f, 0.0f, -2.0f}, kInfinity};
+    expectFailure(awdIntersect(scene_, &ray, 1, &hit), AWD_ERROR_INVALID_ARGUMENT, {"tnear"});
+    expectFailure(awdOccluded(scene_, &ray, 1, &occluded), AWD_ERROR_INVALID_ARGUMENT, {"tnear"});
+  }
+}
+
 /// A ray that makes no sense is a miss or an error, never a hit, and spoils no other ray.
 TEST_F(BadScene, RaysThatMakeNoSense) {
   add(Strip(1));
