@@ -44,11 +44,12 @@ TEST_P(FuzzTargets, TakeWhatWasFound) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Fuzz, FuzzTargets, testing::Values(AWD_FUZZ_TARGETS),
-                         [](const testing::TestParamInfo<const Target*>& at) {
-                           std::string name = at.param->name;
-                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-                           return name;
-                         });
+std::string nameOf(const testing::TestParamInfo<const Target*>& target) {
+  std::string name = target.param->name;
+  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, FuzzTargets, testing::Values(AWD_FUZZ_TARGETS), nameOf);
 
 }  // namespace
