@@ -17,7 +17,7 @@ constexpr std::size_t kDeepestNode = 500;
 /// So that no product or sum of them leaves 64 bits.
 constexpr uint64_t kMostBytes = uint64_t{1} << 40;
 constexpr uint64_t kMostCorners = 0xFFFFFFFEu;
-constexpr int kPoints = 0, kTriangleStrip = 5, kTriangleFan = 6, kTriangles = 4;
+constexpr uint64_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
 
 const json& listOf(const json& file, const char* key) {
   static const json none = json::array();
@@ -66,7 +66,9 @@ class Geometry {
  private:
   static void addNode(json& result, const json& node) {
     const std::size_t number = result["nodes"].size();
-    json kept = {{"name", "node" + std::to_string(number)}};
+    const std::string name = "node" + std::to_string(number);
+    natural(node, "camera", kMostCorners, name);
+    json kept = {{"name", name}};
     keep(kept, node, {"children", "mesh", "matrix", "translation", "rotation", "scale"});
     result["nodes"].push_back(std::move(kept));
   }
@@ -82,10 +84,10 @@ class Geometry {
       const json& position = primitive.at("attributes").at("POSITION");
       uint64_t corners = countOf(position, false, what);
       if (primitive.contains("indices")) corners = countOf(primitive.at("indices"), true, what);
-      const int mode = primitive.value("mode", kTriangles);
-      if (mode < kPoints || mode > kTriangleFan) {
-        throw Failure(what + " has a primitive of the unknown mode " + std::to_string(mode));
-      }
+      // What is read later, too: a number that is none would be anything.
+      natural(primitive, "material", kMostCorners, what);
+      const uint64_t mode =
+          primitive.contains("mode") ? natural(primitive, "mode", kTriangleFan, what) : kTriangles;
       if (mode >= kTriangleStrip && corners < 3) {
         throw Failure(what + " has a strip or fan of " + std::to_string(corners) + " corners");
       }
@@ -100,7 +102,7 @@ class Geometry {
   uint64_t countOf(const json& number, bool indices, const std::string& mesh) const {
     const json& accessor = entry(file_, "accessors", number, mesh);
     const std::string what = mesh + ": accessor " + number.dump();
-    const int component = accessor.at("componentType").get<int>();
+    const uint64_t component = natural(accessor.at("componentType"), kMostCorners, what);
     const uint64_t bytes = component == 5121 ? 1 : component == 5123 ? 2 : 4;
     const bool fits =
         indices ? component == 5121 || component == 5123 || component == 5125 : component == 5126;
