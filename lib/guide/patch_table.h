@@ -48,7 +48,8 @@ class PatchTable {
     }
   }
 
-  /// Calls visit(number, patch) in ascending order of numbers. Exclusive.
+  /// Calls visit(number, patch) in ascending order of numbers. Patches that others touch meanwhile
+  /// are visited or not.
   template <class Visit>
   void forEach(Visit&& visit) const {
     walk(root_, 0, 0, visit);
@@ -86,7 +87,7 @@ class PatchTable {
   template <class Visit>
   void walk(const Node& node, int depth, uint32_t prefix, Visit& visit) const {
     for (uint32_t byte = 0; byte < 256; ++byte) {
-      void* below = node.slots[byte].load(std::memory_order_relaxed);
+      void* below = node.slots[byte].load(std::memory_order_acquire);
       if (!below) continue;
       const uint32_t number = prefix << 8 | byte;
       if (depth == 3) {
