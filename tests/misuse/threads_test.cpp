@@ -107,4 +107,32 @@ TEST_F(Threads, AllFunctionsOneAfterTheOther) {
       }));
 }
 
+/// Both are free: the list was read without regard for patches in the making.
+TEST_F(Threads, PatchesAreListedWhileOthersAreMade) {
+  constexpr size_t kHostField = 1;  // with the host's patches
+  constexpr uint32_t kPatches = 300;
+  const AWDField field = world_.fields[kHostField];
+  AWDDirectionSample sample = {};
+  sample.pdf = 0.3f;
+  sample.solidAngle = 3.0f;
+  sample.component = AWD_INVALID_ID;
+  std::vector<std::thread> threads;
+  for (uint32_t t = 0; t < 2; ++t) {
+    threads.emplace_back([&, t] {
+      for (uint32_t i = 0; i < kPatches; ++i) awdRecordField(field, i << (8 * t + 4), &sample, 1.0);
+    });
+    threads.emplace_back([&] {
+      size_t last = 0, count = 0;
+      for (uint32_t i = 0; i < kPatches; ++i, last = count) {
+        ASSERT_EQ(awdGetFieldPatches(field, nullptr, 0, &count), AWD_SUCCESS);
+        ASSERT_GE(count, last);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  size_t count = 0;
+  ASSERT_EQ(awdGetFieldPatches(field, nullptr, 0, &count), AWD_SUCCESS);
+  EXPECT_EQ(count, 2 * kPatches - 1 - (kPatches - 1) / 256) << "numbers that both have";
+}
+
 }  // namespace
