@@ -15,7 +15,7 @@ from ._library import check, lib
 from ._objects import Object, Use, described
 
 RAY = _arrays.items_of(c.AWDRay)
-"""A ray: origin (3), tnear, direction (3), need not be a unit vector, tfar, may be infinite."""
+"""A ray: origin (3), tnear, not below 0, direction (3), of any length, tfar, may be infinite."""
 HIT = _arrays.items_of(c.AWDHit)
 """What a ray meets first: t (infinite: nothing), normal (3; geometric, unit, front side), u, v,
 mesh (INVALID_ID: nothing), triangle, material, patch (with PATCH_BACK if met on the back)."""

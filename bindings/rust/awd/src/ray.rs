@@ -5,7 +5,7 @@ use awd_sys::*;
 
 use crate::Vector;
 
-/// A ray o + t d, tnear <= t <= tfar.
+/// A ray o + t d, tnear <= t <= tfar; tnear is finite and not below 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
