@@ -136,6 +136,10 @@ void Density::record(std::size_t count, const double* points, const double* pdfs
 
 void Density::join(Density& fork) {
   if (&fork == this) fail(AWD_ERROR_INVALID_ARGUMENT, "fork is the density itself");
+  // Its memory is that of its device.
+  if (fork.context_.get() != context_.get()) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "fork is of another device than density");
+  }
   if (fork.statistics_->sums.samples > 0) {
     if (!(fork.model_ == model_) || fork.adapts_ != adapts_) {
       fail(AWD_ERROR_INVALID_OPERATION,
@@ -150,7 +154,6 @@ void Density::join(Density& fork) {
   // Nothing below can fail.
   fork.statistics_ = std::move(fresh);
   fork.passes_ = std::move(passes);
-  fork.context_ = context_;
   fork.bases_ = bases_;
   fork.settings_ = settings_;
   fork.levels_ = levels_;
