@@ -63,4 +63,21 @@ TEST_F(Found, StructsThatEndWithinAWord) {
                 {"info->structSize"});
 }
 
+/// It took over bases and device, and gave its own memory back to the wrong allocator.
+TEST_F(Found, AForkOfAnotherDeviceIsNotJoined) {
+  SmallMemory own;
+  const AWDDeviceDesc desc = own.desc(1);
+  AWDDevice device = nullptr;
+  ASSERT_EQ(awdNewDevice(&desc, &device), AWD_SUCCESS);
+  AWDDensityDesc densityDesc = AWD_DENSITY_DESC_INIT;
+  densityDesc.dimensions = 2;
+  AWDDensity stranger = nullptr;
+  ASSERT_EQ(awdNewDensity(device, &densityDesc, &stranger), AWD_SUCCESS);
+  awdReleaseDevice(device);
+  expectFailure(awdJoinDensity(world_.densities[0], stranger), AWD_ERROR_INVALID_ARGUMENT,
+                {"another device"});
+  awdReleaseDensity(stranger);
+  EXPECT_EQ(own.blocks(), 0u);
+}
+
 }  // namespace

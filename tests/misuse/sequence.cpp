@@ -64,8 +64,8 @@ void runInChild(World& world, const std::vector<Step>& steps, const std::vector<
   report.add("// release of everything");
   world.release();
   awdReleaseDevice(world.devices[0]);
-  if (world.memory.blocks() != 0) {
-    report.complain(std::to_string(world.memory.blocks()) + " blocks were not freed");
+  if (const size_t left = world.memory.blocks() + world.others.blocks()) {
+    report.complain(std::to_string(left) + " blocks were not freed");
   }
   if (!hadFailed && testing::Test::HasFailure()) report.complain("the allocator got wrong sizes");
 }

@@ -78,7 +78,7 @@ class Threads : public testing::Test {
     world_.release();
     awdReleaseDevice(world_.devices[0]);
     world_.devices.clear();
-    EXPECT_EQ(world_.memory.blocks(), 0u);
+    EXPECT_EQ(world_.memory.blocks() + world_.others.blocks(), 0u);
   }
   const std::filesystem::path before_ = std::filesystem::current_path();
   World world_;

@@ -136,6 +136,7 @@ World::World() : renders(AWD_TEST_RENDERER), modulePath(AWD_TEST_MODULE) {
   AWDDeviceDesc desc = memory.desc(1);
   for (int i = 0; i < 2; ++i) {
     if (i == 1) {
+      desc = others.desc(1);
       desc.progressUser = this;
       desc.progress = [](void* user, const AWDProgress*) -> int32_t {
         long& left = static_cast<World*>(user)->cancelAfter;

@@ -45,6 +45,7 @@ struct World {
   /// After how many reports of progress the second device's host says stop; negative: never.
   long cancelAfter = -1;
   SmallMemory memory;
+  SmallMemory others;  ///< of the second device
   awdtest::TemporaryFolder folder;
   std::string fieldFile, renderFile, imageFile, rubbishFile;
   std::vector<char> fieldBytes, densityBytes, statisticsBytes;
