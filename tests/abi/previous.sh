@@ -3,10 +3,10 @@
 # What was compiled against former headers runs with this library.
 #   previous.sh <source folder> <libawd.so> <work folder> <C compiler> <cmake> host|programs
 # host: tests/abi/host.c of the previous commit, and of the last one with other headers, compiled
-# against the headers of their time. programs, in ./run soak alone: all test programs of the previous
-# commit that see the library from outside, built with the library of their time and run with this
-# one. Where a test has changed since, the library may have been meant to: then it must run to its
-# end, and what it says is only shown. Skipped (77) where there is no history.
+# against the headers of their time. programs, in ./run soak alone: all test programs of the
+# previous commit that see the library from outside, built with the library of their time and run
+# with this one. Where a test has changed since, the library may have been meant to: then it must
+# run to its end, and what it says is only shown. Skipped (77) where there is no history.
 set -euo pipefail
 source=$1 library=$2 work=$3 cc=$4 cmake=$5 what=$6
 export LC_ALL=C.UTF-8
