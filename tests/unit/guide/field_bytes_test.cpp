@@ -210,7 +210,7 @@ TEST_P(FieldBytes, NoMemoryIsTakenForWhatIsNotThere) {
 }
 
 TEST_P(FieldBytes, NonsenseUnderARightChecksumIsRefusedOrWorks) {
-  const std::pmr::vector<char> bytes = trained()->bytesOf();
+  const std::pmr::vector<char> bytes(trained()->bytesOf(), std::pmr::get_default_resource());
   Uniforms random(67);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() * double(n)); };
   int refused = 0, worked = 0;
