@@ -44,8 +44,9 @@ void Film::get(ByteReader& reader) {
   for (double* sum : {&weights_, &squaredWeights_, &evenWeights_}) {
     *sum = reader.get(0.0, std::numeric_limits<double>::max());
   }
-  const auto odds = static_cast<double>(samples_ / 2);
-  const auto evens = static_cast<double>(samples_ - samples_ / 2);
+  const uint64_t half = samples_ / 2;
+  const auto odds = static_cast<double>(half);
+  const auto evens = static_cast<double>(samples_ - half);
   if (!isWeightOf(evenWeights_, evens) || !isWeightOf(weights_ - evenWeights_, odds) ||
       squaredWeights_ > weights_ * (1.0 + kRounding)) {
     reader.damaged();
