@@ -54,13 +54,22 @@ void Progress::step() noexcept {
 }
 
 void Progress::report(double fraction) noexcept {
-  if (!context_.progressFn() || reporting_.test_and_set(std::memory_order_acquire)) return;
-  if (fraction > reported_) reported_ = fraction;
-  const AWDProgress progress = {sizeof(AWDProgress), operation_, object_, reported_};
-  if (context_.progressFn()(context_.progressUser(), &progress) == 0) {
-    cancelled_.store(true, std::memory_order_relaxed);
+  if (!context_.progressFn()) return;
+  double farthest = farthest_.load(std::memory_order_relaxed);
+  while (fraction > farthest &&
+         !farthest_.compare_exchange_weak(farthest, fraction, std::memory_order_relaxed)) {
   }
-  reporting_.clear(std::memory_order_release);
+  // Each exchange sees what was done before the former one: whoever finds another thread reporting
+  // leaves it to that one to find that there is more to tell.
+  while (!reporting_.exchange(true, std::memory_order_acq_rel)) {
+    const double told = farthest_.load(std::memory_order_relaxed);
+    const AWDProgress progress = {sizeof(AWDProgress), operation_, object_, told};
+    if (context_.progressFn()(context_.progressUser(), &progress) == 0) {
+      cancelled_.store(true, std::memory_order_relaxed);
+    }
+    reporting_.exchange(false, std::memory_order_acq_rel);
+    if (cancelled() || farthest_.load(std::memory_order_relaxed) == told) return;
+  }
 }
 
 void Progress::throwIfCancelled() const {

@@ -47,7 +47,8 @@ class Progress {
 
   /// One step is done.
   void step() noexcept;
-  /// That much is done, 0 to 1. Whoever finds another thread reporting goes on without a report.
+  /// That much is done, 0 to 1. Whoever finds another thread reporting leaves it to that one, so
+  /// that not every step is told of, but the last is.
   void report(double fraction) noexcept;
   /// Whether work should end; cheap.
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
@@ -59,10 +60,10 @@ class Progress {
   const char* operation_;
   const void* object_;
   std::size_t steps_;
-  double reported_ = 0.0;  // guarded by reporting_
+  std::atomic<double> farthest_{0.0};
   std::atomic<std::size_t> done_{0};
   std::atomic<bool> cancelled_{false};
-  std::atomic_flag reporting_ = ATOMIC_FLAG_INIT;
+  std::atomic<bool> reporting_{false};
 };
 
 /// Allocates and constructs an object of a context; its destroy() must call unmake.
