@@ -141,7 +141,9 @@ TEST_P(Heap, RefusedAtAnyCall) {
         WatchedHeap::refuse(0, false);
         if (result == AWD_SUCCESS || !met) break;
         ++failures;
-        ASSERT_EQ(result, AWD_ERROR_OUT_OF_MEMORY)
+        // Opening a file, OpenEXR makes of its lack of memory an error of the file (LIMITS.md).
+        const bool isOpenExrs = std::string(step.name) == "awdWriteImageEXR";
+        ASSERT_TRUE(result == AWD_ERROR_OUT_OF_MEMORY || (isOpenExrs && result == AWD_ERROR_IO))
             << step.name << ", call " << n << ": " << awdGetLastErrorMessage();
         ASSERT_STRNE(awdGetLastErrorMessage(), "");
       }
