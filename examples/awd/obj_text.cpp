@@ -14,6 +14,7 @@
 
 #include "console.h"
 #include "failure.h"
+#include "regular_file.h"
 
 namespace command {
 namespace {
@@ -161,13 +162,13 @@ class ObjText {
   /// One file whose name may hold blanks, or else several.
   void readLibraries(const std::string& names) {
     const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-    if (std::filesystem::is_regular_file(folder / names)) {
+    if (isRegularFile(folder / names)) {
       readLibrary((folder / names).string());
       return;
     }
     std::istringstream words(names);
     for (std::string name; words >> name;) {
-      if (std::filesystem::is_regular_file(folder / name)) {
+      if (isRegularFile(folder / name)) {
         readLibrary((folder / name).string());
       } else {
         warn(path_ + ": can't read material library " + inQuotes(name));

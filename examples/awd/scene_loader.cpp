@@ -18,6 +18,7 @@
 #include "failure.h"
 #include "gltf_file.h"
 #include "obj_text.h"
+#include "regular_file.h"
 
 namespace command {
 namespace {
@@ -32,10 +33,10 @@ std::string extensionOf(const std::string& path) {
 class RegularFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* path) const override {  // which else opens it
-    return std::filesystem::is_regular_file(path);
+    return isRegularFile(path);
   }
   Assimp::IOStream* Open(const char* path, const char* mode) override {
-    if (!std::filesystem::is_regular_file(path)) return nullptr;
+    if (!isRegularFile(path)) return nullptr;
     return DefaultIOSystem::Open(path, mode);
   }
 };
@@ -209,7 +210,7 @@ SceneData loadGltf(const std::string& path) {
 }  // namespace
 
 SceneData loadScene(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) {
+  if (!isRegularFile(path)) {
     throw Failure("can't read " + inQuotes(path) + ": no such file");
   }
   const std::string extension = extensionOf(path);

@@ -36,6 +36,15 @@ void LightChoice::settle(const std::pmr::vector<double>& shares) {
   }
   // No uniform below 1 lies behind the last that can be chosen.
   std::fill(ends_.begin() + static_cast<std::ptrdiff_t>(last), ends_.end(), 1.0);
+  closeSlits();
+}
+
+void LightChoice::closeSlits() {
+  double before = 0.0;
+  for (double& end : ends_) {
+    if (end - before < static_cast<double>(std::numeric_limits<float>::min())) end = before;
+    before = end;
+  }
 }
 
 Ref<LightChoice> LightChoice::learn(const LightChoice& prior, const LightSums& sums,
@@ -100,6 +109,7 @@ Ref<LightChoice> LightChoice::get(ByteReader& reader, std::pmr::memory_resource*
   double before = 0.0;
   for (double& end : choice->ends_) before = end = reader.get(before, 1.0);
   if (before != 1.0) reader.damaged();
+  choice->closeSlits();
   return choice;
 }
 

@@ -53,6 +53,8 @@ class LightChoice final : public RefCounted {
   void destroy() noexcept override;
   /// Chances proportional to these.
   void settle(const std::pmr::vector<double>& shares);
+  /// A chance that is no float above 0 is none: else u = 0 could choose a light of chance 0.
+  void closeSlits();
 
   std::pmr::memory_resource* memory_;
   std::pmr::vector<Known> known_;

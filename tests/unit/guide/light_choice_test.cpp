@@ -44,6 +44,17 @@ TEST(LightChoice, ChoosesByItsChances) {
   }
 }
 
+/// 1e-60 of all power is a chance as a double, and none as the float that a host divides by.
+TEST(LightChoice, NeverChoosesWhatHasNoChance) {
+  const auto choice = prior({1e-30f, 1e30f, 1e-30f});
+  for (const double u : {0.0, 1e-300, 0.5, 1.0 - 0x1p-53}) {
+    const LightChoice::Chosen chosen = choice->choose(u);
+    EXPECT_EQ(chosen.light, 1u);
+    EXPECT_EQ(chosen.chance, 1.0f);
+  }
+  EXPECT_EQ(choice->chance(0), 0.0f);
+}
+
 TEST(LightChoice, LearnsTheRootMeanSquares) {
   const auto before = prior({1.0f, 1.0f, 2.0f});
   LightSums sums(memory(), 3, LightSums::unitExponentFor(1.0));
