@@ -75,7 +75,7 @@ class PatchStatistics {
       sums->record(sample.component, f);
       return;
     }
-    const double p = static_cast<double>(sample.pdf) * static_cast<double>(sample.solidAngle);
+    const double p = pdfOnSquare(sample);
     if (auto* sums = std::get_if<SquareValues>(&sums_)) {
       sums->record(sample.square[0], sample.square[1], p, f);
       return;
@@ -186,6 +186,10 @@ class PatchStatistics {
   }
 
  private:
+  static double pdfOnSquare(const AWDDirectionSample& sample) {
+    // Of -0, 0: else its inverse would be below all numbers.
+    return static_cast<double>(sample.pdf) * static_cast<double>(sample.solidAngle) + 0.0;
+  }
   double magnitude() const {
     const double largest = common().largest() * 0x1p-19;
     // Of squares in another unit it is the root.
@@ -194,7 +198,7 @@ class PatchStatistics {
   /// f^2 in the magnitude of f; f itself counts to the mean.
   double squareOf(const AWDDirectionSample& sample, double f) noexcept {
     if (!(f >= 0.0 && std::isfinite(f))) return f;
-    const double p = static_cast<double>(sample.pdf) * static_cast<double>(sample.solidAngle);
+    const double p = pdfOnSquare(sample);
     const bool paper = std::holds_alternative<SquareStatistics>(sums_);
     constexpr double kLargest = std::numeric_limits<double>::max();
     means_->record(0, std::min(paper ? f : f / p, kLargest));

@@ -50,13 +50,15 @@ Camera::Camera(const AWDCamera& desc, const Geometry& geometry)
   const Vec3d x = normalized(right) * static_cast<double>(desc.tanHalfFovX);
   const Vec3d y = cross(normalized(right), forward) *
                   (static_cast<double>(desc.tanHalfFovX) * height_ / width_);
-  look_ = forward - x + y;
+  forward_ = forward;
   right_ = x * (2.0 / width_);
   down_ = y * (-2.0 / height_);
 }
 
 Vec3f Camera::direction(double x, double y) const {
-  return convert<float>(normalized(look_ + right_ * x + down_ * y));
+  // From the middle on: of a corner first, nothing of `forward_` would be left in a wide view.
+  return convert<float>(
+      normalized(forward_ + right_ * (x - 0.5 * width_) + down_ * (y - 0.5 * height_)));
 }
 
 }  // namespace awd

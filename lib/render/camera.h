@@ -23,7 +23,7 @@ class Camera {
  private:
   uint32_t width_, height_;
   Vec3f eye_;
-  Vec3d look_, right_, down_;  ///< right_ and down_ span one pixel; look_ goes to the top left
+  Vec3d forward_, right_, down_;  ///< forward_ to the middle; right_ and down_ span one pixel
 };
 
 }  // namespace awd

@@ -37,5 +37,18 @@ TEST(Camera, MakesUpOrthogonal) {
   EXPECT_NEAR(length(a.direction(10, 20) - b.direction(10, 20)), 0.0f, 1e-6f);
 }
 
+/// Beside a pixel that is 1e38 wide the way to the middle is nothing, but it is not lost.
+TEST(Camera, LooksAheadHoweverWideItsView) {
+  const Ref<Scene> scene = sceneOf(floorAndLamp());
+  AWDCamera wide = AWD_CAMERA_INIT;
+  wide.tanHalfFovX = 3e38f;
+  const Camera camera(wide, scene->geometry());
+  const Vec3f ahead = camera.direction(0.5 * wide.width, 0.5 * wide.height);
+  EXPECT_EQ(ahead.x, 0.0f);
+  EXPECT_EQ(ahead.y, 0.0f);
+  EXPECT_EQ(ahead.z, -1.0f);
+  EXPECT_NEAR(camera.direction(wide.width, 0.5 * wide.height).x, 1.0f, 1e-6f);
+}
+
 }  // namespace
 }  // namespace awd
