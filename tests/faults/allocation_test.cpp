@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <memory_resource>
+#include <ostream>
+#include <string>
 
 #include "faults/life.h"
 #include "faults/refused_heap.h"
@@ -84,6 +86,9 @@ struct Case {
   uint32_t threads;
   bool allLater;
 };
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.threads << (c.allLater ? " threads, from there on" : " threads, once");
+}
 
 class Memory : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Refused, Memory,
