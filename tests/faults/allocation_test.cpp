@@ -48,15 +48,11 @@ class NobodysMemory final : public std::pmr::memory_resource {
 
 using Evidence = std::map<std::string, std::vector<char>>;
 
-bool refitModuleIsThere() {
-  AWDDensityDesc desc = AWD_DENSITY_DESC_INIT;
-  desc.dimensions = 1;
-  desc.estimator = AWD_ESTIMATOR_REFIT;
-  AWDDensity density = nullptr;
-  const bool isThere = awdNewDensity(newDevice(1u), &desc, &density) == AWD_SUCCESS;
-  awdReleaseDensity(density);
-  return isThere;
-}
+#ifdef AWD_TEST_REFIT
+constexpr bool kRefits = true;
+#else
+constexpr bool kRefits = false;  // there is no refit module in this build
+#endif
 
 Evidence untroubled(uint32_t threads) {
   const TemporaryFolder folder;
@@ -64,7 +60,7 @@ Evidence untroubled(uint32_t threads) {
   CountingAllocator allocator;
   Evidence evidence;
   {
-    Life life(allocator.desc(threads), folder.path(""), refitModuleIsThere());
+    Life life(allocator.desc(threads), folder.path(""), kRefits);
     for (const LifeStep& step : life.steps()) {
       const size_t before = nobodys.calls();
       EXPECT_EQ(step.call(), AWD_SUCCESS) << step.name << ": " << awdGetLastErrorMessage();
@@ -102,7 +98,7 @@ TEST_P(Memory, OfTheHostAtAnyCall) {
   CountingAllocator allocator;
   size_t failures = 0;
   {
-    Life life(allocator.desc(threads), folder.path(""), refitModuleIsThere());
+    Life life(allocator.desc(threads), folder.path(""), kRefits);
     for (const LifeStep& step : life.steps()) {
       AWDResult result = AWD_ERROR_UNKNOWN;
       for (size_t n = 1; result != AWD_SUCCESS; n = nextFault(n)) {
@@ -135,7 +131,7 @@ TEST_P(Heap, RefusedAtAnyCall) {
   CountingAllocator allocator;
   size_t failures = 0;
   {
-    Life life(allocator.desc(1), folder.path(""), refitModuleIsThere());
+    Life life(allocator.desc(1), folder.path(""), kRefits);
     const WatchedHeap heap;
     for (const LifeStep& step : life.steps()) {
       AWDResult result = AWD_ERROR_UNKNOWN;
@@ -169,7 +165,7 @@ TEST(HeapOfOurs, DoesNotGrowWithTheInput) {
   for (int large = 0; large < 2; ++large) {
     const TemporaryFolder folder;
     CountingAllocator allocator;
-    Life life(allocator.desc(1), folder.path(""), refitModuleIsThere(), sizes[large]);
+    Life life(allocator.desc(1), folder.path(""), kRefits, sizes[large]);
     const WatchedHeap heap;
     for (const LifeStep& step : life.steps()) {
       must(step.call());
