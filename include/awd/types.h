@@ -211,9 +211,10 @@ typedef struct AWDProgress {
   double fraction;       /* 0 to 1, never falling within one operation */
 } AWDProgress;
 
-/* Returns nonzero to go on and 0 to cancel: the operation then ends within one tile of work with
-   AWD_ERROR_CANCELLED and leaves its objects as they were. Called from whichever thread is at
-   work, never from two at once for one operation; the library holds no lock meanwhile. */
+/* Returns nonzero to go on and 0 to cancel: the operation then ends within one tile of work (of a
+   pass 16 x 16 pixels, and 4,096 paths at most) with AWD_ERROR_CANCELLED and leaves its objects as
+   they were. Called from whichever thread is at work, never from two at once for one operation; the
+   library holds no lock meanwhile. */
 typedef int32_t(AWD_CALL* AWDProgressFn)(void* user, const AWDProgress* progress);
 
 /* The host's memory. `alignment` is a power of two. Return NULL when there is none: the call at

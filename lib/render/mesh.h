@@ -17,7 +17,7 @@ class BufferReader {
  public:
   BufferReader() = default;
   explicit BufferReader(const AWDBuffer& buffer)
-      : first_(static_cast<const char*>(buffer.data) + buffer.byteOffset),
+      : first_(buffer.count ? static_cast<const char*>(buffer.data) + buffer.byteOffset : nullptr),
         stride_(buffer.byteStride ? buffer.byteStride : sizeof(T)),
         count_(buffer.count) {}
 

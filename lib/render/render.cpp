@@ -20,6 +20,14 @@ constexpr uint64_t kFewestSplit = 8;
 
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
+/// A tile of many samples tells of its progress after so many paths, some ten milliseconds.
+constexpr std::size_t kPathsPerReport = 4096;
+
+/// Those at the edge of the image count as if they were whole.
+std::size_t pathsOfTile(uint32_t samplesPerPixel) {
+  return std::size_t{kTile} * kTile * samplesPerPixel;
+}
+
 bool isRadiance(Rgb c) { return isFinite(c) && c.x >= 0.0f && c.y >= 0.0f && c.z >= 0.0f; }
 
 }  // namespace
@@ -91,16 +99,22 @@ void Render::destroy() noexcept {
 }
 
 void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
-                        AtomicCounters& counters) {
+                        AtomicCounters& counters, Progress& progress) {
   const uint32_t columns = tilesAlong(film.width);
   const uint32_t x0 = tile % columns * kTile;
   const uint32_t y0 = tile / columns * kTile;
   PathTracer tracer(*geometry_, learner_, used_);
   uint64_t rejected = 0;
+  std::size_t paths = 0, told = 0;
   for (uint32_t y = y0; y < std::min(y0 + kTile, film.height); ++y) {
     for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {
       const uint64_t number = uint64_t{y} * film.width + x;
-      for (uint32_t s = 0; s < samplesPerPixel; ++s) {
+      for (uint32_t s = 0; s < samplesPerPixel; ++s, ++paths) {
+        if (paths - told == kPathsPerReport) {
+          progress.step(paths - told);
+          if (progress.cancelled()) return;
+          told = paths;
+        }
         const auto index = static_cast<uint32_t>(film_.samples() + s);
         PathPoints points(seed_, statistics_.size(), number, s, settings_.sobol, index);
         const SobolPoint at = points.pixel();
@@ -118,6 +132,7 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
   counters.rays += tracer.rays();
   counters.shadowRays += tracer.shadowRays();
   counters.rejected += rejected;
+  progress.step(pathsOfTile(samplesPerPixel) - told);
 }
 
 double Render::weightOfNext() const {
@@ -142,11 +157,11 @@ Render::Counters Render::renderTiles(uint32_t samplesPerPixel, uint32_t part, ui
     const uint32_t all = tilesAlong(film.width) * tilesAlong(film.height);
     // Every so many tiles: parts that lie in one place would differ in the work they make.
     const uint32_t tiles = part < all ? (all - part - 1) / parts + 1 : 0;
-    Progress progress(*context_, "pass", this, tiles);
+    Progress progress(*context_, "pass", this, tiles * pathsOfTile(samplesPerPixel));
     context_->parallel().forEach(tiles, [&](std::size_t i) {
       if (progress.cancelled()) return;
-      renderTile(part + static_cast<uint32_t>(i) * parts, samplesPerPixel, film, counters);
-      progress.step();
+      renderTile(part + static_cast<uint32_t>(i) * parts, samplesPerPixel, film, counters,
+                 progress);
     });
     progress.throwIfCancelled();
   } catch (...) {

@@ -104,8 +104,9 @@ class Render final : public RefCounted {
   void prepare();
   /// The tiles of one of so many parts; what was recorded is forgotten if it throws.
   Counters renderTiles(uint32_t samplesPerPixel, uint32_t part, uint32_t parts, PassFilm& film);
-  void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
-                  AtomicCounters& counters);
+  /// In vain if the progress is cancelled.
+  void renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film, AtomicCounters& counters,
+                  Progress& progress);
   /// Takes a pass that is complete; its figures, in which times are still to be set.
   AWDPassStatistics& finish(const PassFilm& film, uint32_t samplesPerPixel,
                             const Counters& counters);

@@ -48,8 +48,8 @@ void Context::log(int32_t severity, const char* format, ...) noexcept {
 Progress::Progress(Context& context, const char* operation, const void* object, std::size_t steps)
     : context_(context), operation_(operation), object_(object), steps_(steps) {}
 
-void Progress::step() noexcept {
-  const std::size_t done = done_.fetch_add(1, std::memory_order_relaxed) + 1;
+void Progress::step(std::size_t steps) noexcept {
+  const std::size_t done = done_.fetch_add(steps, std::memory_order_relaxed) + steps;
   report(static_cast<double>(done) / static_cast<double>(steps_));
 }
 

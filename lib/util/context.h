@@ -45,8 +45,8 @@ class Progress {
   /// object: the handle that the host knows.
   Progress(Context& context, const char* operation, const void* object, std::size_t steps);
 
-  /// One step is done.
-  void step() noexcept;
+  /// So many steps are done.
+  void step(std::size_t steps = 1) noexcept;
   /// That much is done, 0 to 1. Whoever finds another thread reporting leaves it to that one, so
   /// that not every step is told of, but the last is.
   void report(double fraction) noexcept;

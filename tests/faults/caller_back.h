@@ -21,6 +21,7 @@ struct CallerBack {
   bool stop = false;             ///< and then cancels
   std::atomic<size_t> calls{0};  ///< of that operation
   std::atomic<bool> acted{false};
+  std::atomic<double> farthest{0.0};  ///< that the operation has told
   CountingAllocator allocator;
 
   void onCall(const char* name, size_t call, std::function<void()> what, bool stops = false) {
@@ -35,7 +36,9 @@ struct CallerBack {
     AWDDeviceDesc result = allocator.desc(threads);
     result.progress = [](void* user, const AWDProgress* progress) -> int32_t {
       CallerBack& self = *static_cast<CallerBack*>(user);
-      if (progress->operation != self.operation || ++self.calls != self.at) return 1;
+      if (progress->operation != self.operation) return 1;
+      self.farthest = progress->fraction;
+      if (++self.calls != self.at) return 1;
       if (self.acted.exchange(true)) return 1;
       if (self.act) self.act();
       return self.stop ? 0 : 1;

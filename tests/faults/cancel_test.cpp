@@ -61,6 +61,19 @@ TEST_P(Cancelled, InEachOperation) {
   expectSameOutcome(outcomeOf(begun.render), outcomeOf(undisturbed.render));
 }
 
+/// One tile of so many samples takes minutes: nobody waits for its end.
+TEST_P(Cancelled, WithinATile) {
+  CallerBack host, quiet;
+  Begun begun(host, GetParam(), 16), undisturbed(quiet, GetParam(), 16);
+  host.onCall("pass", 3, nullptr, true);
+  expectFailure(awdRenderPass(begun.render, 1u << 22, nullptr), AWD_ERROR_CANCELLED, {"pass"});
+  EXPECT_EQ(host.calls, 3u);
+  EXPECT_NEAR(host.farthest, 3.0 * 4096 / (256.0 * (1u << 22)), 1e-12);
+  must(awdAdaptField(begun.field, nullptr));
+  must(awdAdaptField(undisturbed.field, nullptr));
+  expectSameOutcome(outcomeOf(begun.render), outcomeOf(undisturbed.render));
+}
+
 /// Passes that were finished stay, and a schedule that is resumed comes to the same end.
 TEST_P(Cancelled, InASchedule) {
   CallerBack host, quiet;

@@ -40,6 +40,16 @@ TEST(Mesh, HonoursOffsetAndStrideAtAnyAlignment) {
   EXPECT_FALSE(mesh.hasPatches());
 }
 
+/// Offset and stride of a buffer that has no items lead nowhere.
+TEST(Mesh, TakesEmptyBuffersWithAnyOffset) {
+  AWDMeshDesc desc = AWD_MESH_DESC_INIT;
+  desc.vertices = {nullptr, 31, 12, 0, AWD_FORMAT_FLOAT3, 0};
+  desc.indices = {nullptr, 7, 12, 0, AWD_FORMAT_UINT3, 0};
+  const Mesh mesh(std::pmr::get_default_resource(), desc);
+  EXPECT_EQ(mesh.vertices().size(), 0u);
+  EXPECT_EQ(mesh.triangles().size(), 0u);
+}
+
 TEST(Mesh, RefusesWhatReachesBeyondMemory) {
   const Soup soup = floorAndLamp();
   AWDMeshDesc desc = soup.desc();
