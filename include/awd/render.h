@@ -268,8 +268,8 @@ AWD_EXPORT AWDResult AWD_CALL awdLoadRender(AWDScene scene, const char* path, AW
    order of its samples; of divided samples the sums would be rounded otherwise. Schedules of
    seconds are refused. What has been rendered counts when it is imported; until then it is given up
    by the next part or pass, which renders the same pass again. A cancelled or failed part leaves
-   film and field as they were. Exclusive, for the field too, which must not be used until
-   awdImportPass. */
+   film and field as they were, but for the adapt, which is not done again. Exclusive, for the field
+   too, which must not be used until awdImportPass. */
 AWD_EXPORT AWDResult AWD_CALL awdRenderPassPart(AWDRender render, const AWDSchedule* schedule,
                                                 uint32_t part, uint32_t parts,
                                                 uint32_t* samplesPerPixel) AWD_NOEXCEPT;

@@ -9,16 +9,20 @@
 
 namespace awd {
 
-/// Directions and normals must be unit vectors to this accuracy.
+/// Directions and normals must be unit vectors to this accuracy...
 constexpr float kUnitTolerance = 1e-3f;
+/// ...and are used as they are to this one: in a frame of other lengths a pdf would not be that of
+/// its sample.
+constexpr float kUnitAsIs = 1e-5f;
 
 inline Vec3f unitVector(const float v[3], const char* argument) {
   const Vec3f vector = load(need(v, argument));
-  if (!(std::abs(dot(vector, vector) - 1.0f) <= 2.0f * kUnitTolerance)) {
+  const float square = dot(vector, vector);
+  if (!(std::abs(square - 1.0f) <= 2.0f * kUnitTolerance)) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "%s is (%g, %g, %g): it must be a unit vector", argument,
          vector.x, vector.y, vector.z);
   }
-  return vector;
+  return std::abs(square - 1.0f) <= 2.0f * kUnitAsIs ? vector : vector * (1.0f / std::sqrt(square));
 }
 
 inline Vec3f finitePoint(const float v[3], const char* argument) {

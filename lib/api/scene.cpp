@@ -15,7 +15,8 @@ void checkRay(const Geometry& geometry, const AWDRay& ray, size_t index) {
   const Vec3f origin = load(ray.origin), direction = load(ray.direction);
   if (isFinite(origin) && isFinite(direction) && ray.tnear >= 0.0f && std::isfinite(ray.tnear) &&
       !std::isnan(ray.tfar)) {
-    if (Embree::takes(geometry.toFrame(origin)) && Embree::takes(direction * geometry.scale())) {
+    if (Embree::takes(geometry.toFrame(origin)) &&
+        Embree::takes(convert<float>(convert<double>(direction) * geometry.scale()))) {
       return;
     }
     fail(AWD_ERROR_INVALID_ARGUMENT,
@@ -126,7 +127,12 @@ AWDResult AWD_CALL awdGetPointPatch(AWDScene scene, const float point[3],
     if (!isFinite(p)) {
       fail(AWD_ERROR_INVALID_ARGUMENT, "point is (%g, %g, %g): it must be finite", p.x, p.y, p.z);
     }
-    *need(patch, "patch") = object(scene, "scene").pointPatch(p);
+    const Scene& known = object(scene, "scene");
+    if (!Embree::takes(known.geometry().toFrame(p))) {
+      fail(AWD_ERROR_INVALID_ARGUMENT,
+           "point is (%g, %g, %g): more than 1e18 times the size of the scene", p.x, p.y, p.z);
+    }
+    *need(patch, "patch") = known.pointPatch(p);
   });
 }
 

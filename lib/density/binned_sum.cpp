@@ -9,10 +9,13 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// bins as one integer in units of 2^(32 (top - 2))
+/// bins as one integer in units of 2^(32 (top - 2)). Modulo 2^128, so that sums of forged numbers
+/// are wrong, but not undefined.
 Wide whole(const int64_t bins[BinnedSum::kBins]) {
-  constexpr Wide kStep = Wide{1} << 32;
-  return (bins[0] * kStep + bins[1]) * kStep + bins[2];
+  __extension__ using Bits = unsigned __int128;
+  constexpr Bits kStep = Bits{1} << 32;
+  const auto bits = [](int64_t bin) { return static_cast<Bits>(Wide{bin}); };
+  return static_cast<Wide>((bits(bins[0]) * kStep + bits(bins[1])) * kStep + bits(bins[2]));
 }
 
 }  // namespace

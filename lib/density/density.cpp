@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "density/grid_learning.h"
+#include "density/tree_halving.h"
 #include "density/tree_learning.h"
 #include "util/error.h"
 
@@ -141,7 +142,8 @@ void Density::join(Density& fork) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "fork is of another device than density");
   }
   if (fork.statistics_->sums.samples > 0) {
-    if (!(fork.model_ == model_) || fork.adapts_ != adapts_) {
+    if (!(fork.model_ == model_) || fork.adapts_ != adapts_ ||
+        !statistics_->sameSizes(*fork.statistics_)) {
       fail(AWD_ERROR_INVALID_OPERATION,
            "fork has %llu samples of another p: join a fork before either of the two changes",
            static_cast<unsigned long long>(fork.statistics_->sums.samples));

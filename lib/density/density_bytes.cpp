@@ -166,7 +166,10 @@ uint64_t Density::layout() const {
     mix(levels_[a]);
   }
   if (model_.tree) {
-    for (const TreeNode& node : model_.tree->tree().nodes()) mix(node.axis);
+    for (const TreeNode& node : model_.tree->tree().nodes()) {
+      mix(node.axis);
+      mix(node.child);
+    }
   }
   return key;
 }

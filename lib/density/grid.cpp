@@ -24,6 +24,7 @@ GridDensity::GridDensity(std::pmr::memory_resource* memory, const BasisLevel* co
   std::copy(levels, levels + dimensions, levels_);
   for (uint32_t a = 0; a < dimensions; ++a) strides_[a] = shape_.stride(a);
   if (scale == Scale::toIntegral) normalise();
+  dropNegligible(coefficients_);
   if (sampler == AWD_SAMPLER_COMPONENT) {
     component_.emplace(levels_, shape_, coefficients_);
   } else {

@@ -12,9 +12,10 @@ namespace {
 /// A variance below this share of the squared mean is not believed.
 constexpr long double kLeastVariance = 1e-3L;
 
-/// Sum of squared deviations of f/p over (m - 1), times m.
+/// Sum of squared deviations of f/p over (m - 1), times m. Of a single sample its square, which is
+/// more than the variance on average.
 long double varianceTimesCount(const PassSums& sums) {
-  if (sums.samples < 2) return 0.0L;
+  if (sums.samples < 2) return sums.square.value();
   const auto m = static_cast<long double>(sums.samples);
   const long double mean = sums.mean.value() / m;
   const long double squares = sums.square.value() - mean * sums.mean.value();

@@ -7,6 +7,14 @@
 
 namespace awd {
 
+namespace {
+
+/// Components of less than this share are not drawn: their pdf as a float might be 0.
+constexpr double kLeastDrawn = 1e-20;
+bool isDrawn(double coefficient) { return coefficient >= kLeastDrawn; }
+
+}  // namespace
+
 SquareDensity::SquareDensity(std::pmr::memory_resource* memory, const BasisLevel& level,
                              AWDSampler sampler)
     // The functions sum to 1, so that coefficients 1 are the constant 1.
@@ -65,14 +73,16 @@ void SquareDensity::accumulate() {
   cumulative_.resize(coefficients_.size());
   double sum = 0.0;
   for (std::size_t i = 0; i < coefficients_.size(); ++i) {
-    sum += coefficients_[i] * level_->weights[i / n] * level_->weights[i % n];
+    if (isDrawn(coefficients_[i])) {
+      sum += coefficients_[i] * level_->weights[i / n] * level_->weights[i % n];
+    }
     cumulative_[i] = sum;
   }
   for (double& upTo : cumulative_) upTo /= sum;
   // No uniform may fall beyond the last component that can be drawn.
   for (std::size_t i = cumulative_.size(); i-- > 0;) {
     cumulative_[i] = 1.0;
-    if (coefficients_[i] > 0.0) break;
+    if (isDrawn(coefficients_[i])) break;
   }
 }
 

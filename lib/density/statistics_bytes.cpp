@@ -44,7 +44,9 @@ long double getLong(ByteReader& reader) {
   const double high = reader.get(-1.0, 1.0);
   const double low = reader.get(-1.0, 1.0);
   const auto exponent = reader.get<int32_t>(-16500, 16500);
-  return std::ldexp(static_cast<long double>(high) + low, exponent);
+  const long double number = std::ldexp(static_cast<long double>(high) + low, exponent);
+  if (!std::isfinite(number)) reader.damaged();
+  return number;
 }
 
 void put(ByteWriter& writer, const DensityStatistics& statistics) {

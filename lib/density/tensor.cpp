@@ -41,6 +41,12 @@ Coefficients antiderivatives(std::pmr::memory_resource* memory, const BasisLevel
 
 }  // namespace
 
+void dropNegligible(Coefficients& coefficients) {
+  for (double& c : coefficients) {
+    if (c < 1e-100) c = 0.0;
+  }
+}
+
 Coefficients refineAlong(const BasisLevel& coarse, const BasisLevel& fine, uint32_t axis,
                          Shape& shape, const Coefficients& coefficients) {
   const std::size_t n = shape.count[axis];

@@ -17,6 +17,10 @@ using Coefficients = std::pmr::vector<double>;
 /// must not change.
 enum class Scale { toIntegral, asIs };
 
+/// Of a density whose integral is 1, counts coefficients below 1e-100 as 0: products with the
+/// values of six axes' functions, and quotients of masses, would leave the range of a double.
+void dropNegligible(Coefficients& coefficients);
+
 /// c' = P c along one axis: coefficients of the same function a level finer. `shape` is that of
 /// `coefficients` and becomes that of the result.
 Coefficients refineAlong(const BasisLevel& coarse, const BasisLevel& fine, uint32_t axis,

@@ -27,17 +27,16 @@ TreeDensity::TreeDensity(std::pmr::memory_resource* memory, const BasisLevel* co
       marginals_(memory) {
   std::copy(levels, levels + shape_.dimensions, levels_);
   for (uint32_t a = 0; a < shape_.dimensions; ++a) strides_[a] = shape_.stride(a);
+  Coefficients masses(tree_.nodes().size(), 0.0, memory);
   if (scale == Scale::toIntegral) {
     // By the largest first, so that neither sum nor quotient leaves the range of a double.
     const double largest = *std::max_element(coefficients_.begin(), coefficients_.end());
     for (double& c : coefficients_) c /= largest;
-  }
-  Coefficients masses(tree_.nodes().size(), 0.0, memory);
-  weigh(masses);
-  if (scale == Scale::toIntegral) {
-    for (double& c : coefficients_) c /= masses[0];
     weigh(masses);
+    for (double& c : coefficients_) c /= masses[0];
   }
+  dropNegligible(coefficients_);
+  weigh(masses);
   marginals_.resize(tree_.leaves() * leafSampler_.marginalSize());
   for (std::size_t leaf = 0; leaf < tree_.leaves(); ++leaf) {
     leafSampler_.marginals(&coefficients_[leaf * leafSize_],

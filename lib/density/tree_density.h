@@ -16,6 +16,12 @@
 
 namespace awd {
 
+/// What makes a tree density.
+struct TreeState {
+  Tree tree;
+  Coefficients coefficients;
+};
+
 class TreeDensity final : public RefCounted {
  public:
   /// Of coefficients, leaf by leaf, that are not negative and have a finite positive integral,

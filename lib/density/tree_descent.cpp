@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "density/tree_descent.h"
 
+#include <limits>
+
 namespace awd {
 
 TreeDescent::TreeDescent(const Tree& tree, const Coefficients& masses)
@@ -16,7 +18,8 @@ TreeDescent::TreeDescent(const Tree& tree, const Coefficients& masses)
     Node& to = nodes_[i];
     to.node = tree.nodes()[i];
     if (to.node.leaf() || !(masses[i] > 0.0)) continue;
-    const double left = masses[to.node.child] / masses[i];
+    double left = masses[to.node.child] / masses[i];
+    if (left < std::numeric_limits<double>::min()) left = 0.0;  // 1 / left would be infinite
     to.halves[0] = {0.0, left > 0.0 ? 1.0 / left : 0.0};
     to.halves[1] = {left, left < 1.0 ? 1.0 / (1.0 - left) : 0.0};
   }

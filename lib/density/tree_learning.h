@@ -11,17 +11,9 @@
 
 namespace awd {
 
-struct TreeState {
-  Tree tree;
-  Coefficients coefficients;
-};
-
 /// The next density of a tree, not normalised; none if the samples are of no use.
 std::optional<TreeState> learnTree(const DensityBases& bases, const LearningSettings& settings,
                                    const TreeDensity& density, const DensityStatistics& statistics,
                                    uint64_t nextSamples, LearningReport& report);
-
-/// The same function with every leaf halved along an axis.
-TreeState halveLeaves(const DensityBases& bases, const TreeDensity& density, uint32_t axis);
 
 }  // namespace awd

@@ -147,6 +147,9 @@ void Field::checkPatch(uint32_t patch) const {
          "patch is %u: the field has none of this number; ask awdFindPatch again after each adapt",
          patch);
   }
+  if (!tree_ && (patch | AWD_PATCH_BACK) == AWD_INVALID_ID) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "patch is 0x%x: numbers of patches are below 2^31 - 1", patch);
+  }
 }
 
 void Field::checkRecord(uint32_t patch, const AWDDirectionSample& sample) const {
@@ -175,11 +178,19 @@ void Field::reject(uint32_t patch) {
 }
 
 void Field::setScale(double magnitude) {
-  units_ = PatchUnits::of(magnitude);
+  const PatchUnits units = PatchUnits::of(magnitude);
+  std::pmr::vector<std::pair<Patch*, Owned<PatchStatistics>>> fresh(context_->memory());
   table_.forEach([&](uint32_t, Patch& patch) {
     if (patch.hasBeenSeen()) return;
-    patch.statistics = learning_.freshStatistics(density(patch.known).level(), units_);
+    fresh.emplace_back(&patch, learning_.freshStatistics(density(patch.known).level(), units));
   });
+  // Nothing below can fail.
+  units_ = units;
+  for (auto& [patch, statistics] : fresh) {
+    patch->statistics = std::move(statistics);
+    patch->marked.reset();
+  }
+  renewViews();
 }
 
 bool Field::mayRefine(const std::pmr::vector<std::pair<uint32_t, Patch*>>& patches) const {
@@ -304,6 +315,7 @@ AWDFieldStatistics Field::adapt() {
   lastPass_ = {};
   lastPass_.capped = capped;
   for (Successor& next : successors) take(next);
+  removeUnseen();  // or views would keep what knows nothing
   for (uint32_t leaf = 0; leaf < views_.size(); ++leaf) views_[leaf] = viewOf(leaf);
   return statistics();
 }
@@ -350,8 +362,12 @@ void Field::mark() {
 void Field::revert() {
   table_.forEach([](uint32_t, Patch& patch) { patch.statistics->clear(); });
   // One that was made since would begin its next pass with what its leaf's origin knew now.
-  table_.removeIf([](const Patch& patch) { return !patch.hasBeenSeen(); });
+  removeUnseen();
   renewViews();
+}
+
+void Field::removeUnseen() {
+  table_.removeIf([](const Patch& patch) { return !patch.hasBeenSeen(); });
 }
 
 AWDPatchInfo Field::patchInfo(uint32_t patch) const {

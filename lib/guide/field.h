@@ -171,6 +171,8 @@ class Field final : public RefCounted {
     double weight;
   };
 
+  /// Patches that were made, and then not recorded in.
+  void removeUnseen();
   Successor succeed(uint32_t key, Patch& patch, bool mayRefine, const Refitter& refitter) const;
   /// Whether there is memory for all of these patches to be refined.
   bool mayRefine(const std::pmr::vector<std::pair<uint32_t, Patch*>>& patches) const;

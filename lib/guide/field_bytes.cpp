@@ -289,7 +289,7 @@ Ref<Field> Field::load(Ref<Context> context, const void* bytes, std::size_t size
                      field->lights());
     const auto learned = reader.get<uint64_t>();
     const bool seen = reader.get<uint8_t>(0, 1) != 0;
-    const bool viewed = reader.get<uint8_t>(0, adapted ? 1 : 0) != 0;
+    const bool viewed = reader.get<uint8_t>(0, adapted && seen ? 1 : 0) != 0;
     const PatchUnits units = getUnits(reader);
     const BasisLevel& level = field->density(known).level();
     Owned<Patch> patch =
@@ -309,7 +309,11 @@ Ref<Field> Field::load(Ref<Context> context, const void* bytes, std::size_t size
   for (uint32_t leaf = 0; leaf < field->views_.size(); ++leaf) {
     field->views_[leaf] = field->viewOf(leaf);
   }
-  for (Late& next : late) place(next.key, next.patch);
+  for (Late& next : late) {
+    // Samples are drawn by the view, and recorded by the patch.
+    if (&field->density(next.patch->known) != field->views_[next.key].density) reader.damaged();
+    place(next.key, next.patch);
+  }
   return field;
 }
 

@@ -196,7 +196,7 @@ void Field::importRecords(const Exchanged& exchanged, const uint64_t* sums,
   for (Newcomer& newcomer : newcomers) {
     table_.touch(newcomer.key, [&] { return newcomer.patch.release(); });
   }
-  table_.removeIf([](const Patch& patch) { return !patch.hasBeenSeen(); });
+  removeUnseen();
   renewViews();
 }
 

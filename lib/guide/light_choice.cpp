@@ -12,6 +12,8 @@ namespace {
 constexpr double kPriorShare = 0.05;
 constexpr double kPriorRays = 32.0;
 
+constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
+
 }  // namespace
 
 LightChoice::LightChoice(std::pmr::memory_resource* memory, std::size_t lights)
@@ -57,8 +59,9 @@ Ref<LightChoice> LightChoice::learn(const LightChoice& prior, const LightSums& s
     const double before = known_[i].weight * keep;
     const auto fresh = static_cast<double>(sums.count(i));
     const double weight = before + fresh;
-    const double square =
-        weight > 0.0 ? (known_[i].square * before + sums.squares(i)) / weight : 0.0;
+    const double known =
+        before > 0.0 ? known_[i].square * before : 0.0;  // the former may be infinite
+    const double square = weight > 0.0 ? (known + sums.squares(i)) / weight : 0.0;
     next->known_[i] = {square, weight};
     shares[i] = std::sqrt(square);
     roots += shares[i];
@@ -75,11 +78,11 @@ Ref<LightChoice> LightChoice::learn(const LightChoice& prior, const LightSums& s
 }
 
 LightChoice::Chosen LightChoice::choose(double u) const {
+  u = std::min(u, kBelowOne);  // of a stratified uniform, which rounding takes to 1
   uint32_t light = 0;
   while (u >= ends_[light]) ++light;
   const double begin = light > 0 ? ends_[light - 1] : 0.0;
   const double width = ends_[light] - begin;
-  constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
   return {light, static_cast<float>(width), std::min((u - begin) / width, kBelowOne)};
 }
 
@@ -99,7 +102,7 @@ void LightChoice::put(ByteWriter& writer) const {
 
 Ref<LightChoice> LightChoice::get(ByteReader& reader, std::pmr::memory_resource* memory,
                                   std::size_t lights) {
-  constexpr double kLargestWeight = std::numeric_limits<double>::max();
+  constexpr double kLargestWeight = 0x1p80;  // no pass has more than 2^64
   constexpr double kInfinity = std::numeric_limits<double>::infinity();  // of sums beyond doubles
   auto choice = Ref<LightChoice>::adopt(awd::make<LightChoice>(memory, memory, lights));
   for (Known& light : choice->known_) {

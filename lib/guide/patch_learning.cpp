@@ -154,7 +154,11 @@ PatchKnowledge PatchLearning::learn(const PatchKnowledge& known, const BasisLeve
   next.weight = known.weight + samples;
   next.mean = (known.mean * known.weight + statistics.mean() * samples) / next.weight;
 
-  if (!(statistics.mean() > 0.0)) return next;
+  if (!(statistics.mean() > 0.0)) {
+    // Of the squares' mean as much is left.
+    next.root = known.root * std::sqrt(known.weight / next.weight);
+    return next;
+  }
   Coefficients c = estimate(statistics, level, refitter, report);
   if (c.empty()) return next;
   if (learnsSquares()) {

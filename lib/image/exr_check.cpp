@@ -83,7 +83,8 @@ void readChannels(Cursor value, Claim& claim) {
     value.take(4);
     const double xSampling = value.integer(), ySampling = value.integer();
     if (xSampling < 1 || ySampling < 1) value.damaged("a channel's subsampling is not positive");
-    claim.pixelBytes += (type == 1 ? 2.0 : 4.0) / (xSampling * ySampling);
+    // In memory a subsampled channel takes as much as any: no more than chroma's 2 x 2 is believed.
+    claim.pixelBytes += (type == 1 ? 2.0 : 4.0) / std::min(xSampling * ySampling, 4.0);
   }
   if (!value.atEnd()) value.damaged("its list of channels has a wrong size");
 }

@@ -33,6 +33,8 @@ namespace {
 using Imath::Box2i;
 
 constexpr int kInThisThread = 0;
+/// What an image may take whatever the size of its file.
+constexpr double kRoomOfAnyFile = 1u << 26;
 
 /// A file in memory. Says that it is mapped if it is deep: OpenEXR then takes chunks where they
 /// are, instead of first allocating the size that a damaged file gives them.
@@ -130,6 +132,7 @@ class Reader {
     }
     const Imf::Header& first = file.header(0);
     window_ = first.dataWindow();
+    checkRoom(file);
     image_ = Image::make(context_, static_cast<uint32_t>(widthOf(window_)),
                          static_cast<uint32_t>(heightOf(window_)));
     const bool lumaChroma = isLumaChroma(first);
@@ -142,6 +145,26 @@ class Reader {
   }
 
  private:
+  /// An image has all of its channels at its full size, however few pixels a part has of them.
+  void checkRoom(const Imf::MultiPartInputFile& file) const {
+    const double pixels = static_cast<double>(widthOf(window_)) * heightOf(window_);
+    double wanted = 0.0, possible = 0.0;
+    for (int part = 0; part < file.parts(); ++part) {
+      const Imf::Header& header = file.header(part);
+      const Imf::ChannelList& channels = header.channels();
+      for (auto i = channels.begin(); i != channels.end(); ++i) wanted += pixels;
+      possible = std::max(possible, largestExrRatio(header.compression()));
+    }
+    if (wanted * sizeof(float) <=
+        kRoomOfAnyFile + 2 * possible * static_cast<double>(bytes_.size())) {
+      return;
+    }
+    fail(AWD_ERROR_UNSUPPORTED,
+         "can't read \"%s\": its channels would take %.0f bytes, out of all proportion to the "
+         "file's %zu",
+         path_, wanted * sizeof(float), bytes_.size());
+  }
+
   bool isLumaChroma(const Imf::Header& header) const {
     const Imf::Channel* const ry = header.channels().findChannel("RY");
     const Imf::Channel* const by = header.channels().findChannel("BY");
@@ -170,7 +193,7 @@ class Reader {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
       const std::string name = i.name();
       if (lumaChroma && (name == "Y" || name == "RY" || name == "BY")) continue;
-      targets.push_back(&image_->addChannel(part == 0 ? name : header.name() + "." + name));
+      targets.push_back(&addChannel(part == 0 ? name : header.name() + "." + name));
       if (!direct) apart.emplace_back(pixels, 0.0f, context_.memory());
       planes.push_back({name, i.channel().xSampling, i.channel().ySampling,
                         direct ? targets.back()->data() : apart.back().data()});
@@ -184,6 +207,14 @@ class Reader {
       readFlatPart(file, part, planes, context_.memory());
     }
     for (std::size_t c = 0; c < apart.size(); ++c) place(apart[c], window, *targets[c]);
+  }
+
+  Image::Pixels& addChannel(const std::string& name) {
+    if (image_->channel(name)) {
+      fail(AWD_ERROR_UNSUPPORTED, "can't read \"%s\": two of its channels are called \"%.80s\"",
+           path_, name.c_str());
+    }
+    return image_->addChannel(name);
   }
 
   /// Copies what lies inside of the image.

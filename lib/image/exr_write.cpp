@@ -11,6 +11,8 @@
 
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include "util/atomic_file.h"
 #include "util/error.h"
@@ -53,6 +55,16 @@ class AtomicStream final : public Imf::OStream {
   std::exception_ptr failure_;
 };
 
+/// OpenEXR would cut it off, and take two that begin alike for one.
+void checkName(std::string_view name, const char* path) {
+  constexpr std::size_t kLongest = 255;
+  if (name.size() <= kLongest) return;
+  fail(
+      AWD_ERROR_UNSUPPORTED,
+      "can't write \"%s\": the image has a name of %zu characters, \"%.40s...\"; OpenEXR takes %zu",
+      path, name.size(), std::string(name).c_str(), kLongest);
+}
+
 Imf::Header makeHeader(const Image& image) {
   constexpr float kPixelAspectRatio = 1.0f, kScreenWindowWidth = 1.0f;
   Imf::Header header(static_cast<int>(image.width()), static_cast<int>(image.height()),
@@ -83,6 +95,8 @@ void writeExr(const Image& image, const char* path) {
     fail(AWD_ERROR_INVALID_OPERATION,
          "the image has no channel to write to \"%s\": set one with awdSetImageChannel", path);
   }
+  for (const auto& [name, pixels] : image.channels()) checkName(name, path);
+  for (const auto& [key, value] : image.metadata()) checkName(key, path);
   AtomicFile file(path);
   AtomicStream stream(file);
   try {

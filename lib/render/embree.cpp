@@ -77,7 +77,7 @@ bool visitNearest(RTCPointQueryFunctionArguments* arguments) {
 
 bool reportProgress(void* progress, double fraction) {
   auto& known = *static_cast<Progress*>(progress);
-  known.report(fraction);
+  known.report(Embree::kProgressBegins + (1.0 - Embree::kProgressBegins) * fraction);
   return !known.cancelled();
 }
 

@@ -23,6 +23,8 @@ struct RayHit {
 /// An acceleration structure over triangles; all queries are free.
 class Embree {
  public:
+  /// What others have done of a commit before its part.
+  static constexpr double kProgressBegins = 0.6;
   /// corners: three a triangle, finite; kept. Reports to `progress` and throws if it is cancelled.
   Embree(Context& context, std::pmr::vector<Vec3f> corners, Progress& progress);
   ~Embree();

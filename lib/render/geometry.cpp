@@ -19,6 +19,8 @@ constexpr float kMostCoordinate = 1e18f;
 constexpr double kLeastAspect = 1e-12;
 
 /// The back side of this number would be AWD_INVALID_ID.
+/// Their corners are numbered by 32 bits.
+constexpr uint32_t kMostTriangles = 0xFFFFFFFFu / 3;
 constexpr uint32_t kPatchEnd = AWD_INVALID_ID & ~AWD_PATCH_BACK;
 
 Vec3d corner(const Mesh& mesh, uint32_t index) {
@@ -125,9 +127,9 @@ void Geometry::Parts::placeFrame(const std::pmr::vector<Mesh>& meshes) {
 void Geometry::Parts::gatherTriangles(const std::pmr::vector<Mesh>& meshes) {
   meshBegin.push_back(0);
   for (const Mesh& mesh : meshes) meshBegin.push_back(meshBegin.back() + mesh.triangles().size());
-  if (meshBegin.back() >= AWD_INVALID_ID) {
-    fail(AWD_ERROR_INVALID_ARGUMENT, "the scene has %llu triangles: fewer than 2^32 are possible",
-         static_cast<unsigned long long>(meshBegin.back()));
+  if (meshBegin.back() > kMostTriangles) {
+    fail(AWD_ERROR_INVALID_ARGUMENT, "the scene has %llu triangles: at most %u are possible",
+         static_cast<unsigned long long>(meshBegin.back()), kMostTriangles);
   }
   forEachTriangle(meshes, [&](uint32_t m, uint32_t i, const Vec3d* p) {
     Vec3f q[3];
@@ -185,8 +187,11 @@ void Geometry::Parts::gatherLights(const Pieces& pieces) {
     triangles[t].light = pieces.ofTriangle[t];
     if (triangles[t].light != kNoLight) emissive.push_back(t);
   }
-  std::stable_sort(emissive.begin(), emissive.end(),
-                   [&](uint32_t a, uint32_t b) { return triangles[a].light < triangles[b].light; });
+  // Not std::stable_sort, whose memory is not the host's.
+  std::sort(emissive.begin(), emissive.end(), [&](uint32_t a, uint32_t b) {
+    return triangles[a].light != triangles[b].light ? triangles[a].light < triangles[b].light
+                                                    : a < b;
+  });
   std::pmr::vector<Vec3f> own(memory);
   for (std::size_t begin = 0, end; begin < emissive.size(); begin = end) {
     const Triangle& first = triangles[emissive[begin]];
@@ -204,17 +209,24 @@ void Geometry::Parts::gatherLights(const Pieces& pieces) {
 Ref<Geometry> Geometry::build(Ref<Context> context, const void* scene,
                               const std::pmr::vector<Mesh>& meshes,
                               const std::pmr::vector<Material>& materials) {
+  Progress progress(*context, "commit", scene, 1);
+  const auto reached = [&progress](double fraction) {
+    progress.report(fraction);
+    progress.throwIfCancelled();
+  };
   for (uint32_t m = 0; m < meshes.size(); ++m) checkMesh(meshes[m], m, materials.size());
+  reached(0.05);
   Parts parts(std::move(context));
   parts.materials.assign(materials.begin(), materials.end());
   parts.placeFrame(meshes);
+  reached(0.1);
   parts.gatherTriangles(meshes);
+  reached(0.2);
   parts.findPieces(meshes);
-  Progress progress(*parts.context, "commit", scene, 1);
+  reached(Embree::kProgressBegins);
   parts.embree =
       makeOwned<Embree>(parts.memory, *parts.context, std::move(parts.corners), progress);
-  progress.report(1.0);
-  progress.throwIfCancelled();
+  reached(1.0);
   return Ref<Geometry>::adopt(make<Geometry>(parts.memory, std::move(parts)));
 }
 

@@ -49,7 +49,7 @@ class Geometry final : public RefCounted {
 
   /// Host coordinates to the normalised frame, and lengths likewise.
   Vec3f toFrame(Vec3f p) const { return convert<float>((convert<double>(p) - center_) * scale_); }
-  float scale() const { return static_cast<float>(scale_); }
+  double scale() const { return scale_; }
   Vec3f fromFrame(Vec3f p) const {
     return convert<float>(convert<double>(p) * (1.0 / scale_) + center_);
   }

@@ -26,12 +26,15 @@ void Lights::add(Vec3f normal, Rgb emission, const std::pmr::vector<Vec3f>& corn
 void Lights::finish() {
   double total = 0.0;
   for (const Light& light : lights_) {
-    // Radiance up to 1e38 times a tiny area: in double.
-    total += static_cast<double>(light.area) * luminance(light.emission);
+    // Radiance from 1e-45 to 1e38 times a tiny area: in double.
+    total += static_cast<double>(light.area) * luminance(convert<double>(light.emission));
     cumulative_.push_back(total);
   }
+  const auto count = static_cast<double>(lights_.size());
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    cumulative_[i] = i + 1 < lights_.size() ? cumulative_[i] / total : 1.0;
+    // Areas below any float leave them alike.
+    const double upTo = total > 0.0 ? cumulative_[i] / total : static_cast<double>(i + 1) / count;
+    cumulative_[i] = i + 1 < lights_.size() ? upTo : 1.0;
     lights_[i].choice = static_cast<float>(cumulative_[i] - (i ? cumulative_[i - 1] : 0.0));
   }
   group();

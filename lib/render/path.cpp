@@ -18,6 +18,11 @@ constexpr uint32_t kPaperMaxLights = 8;
 constexpr uint32_t kMaxLights = 1;
 /// From here on even a white surface ends paths.
 constexpr std::size_t kLongPath = 64;
+
+/// After so many rays a path, of whose branches all are one, is split no more: a field that is
+/// wrong by powers of ten would have it split without end. Depends on the rays before alone, so
+/// that nothing is biased.
+constexpr uint64_t kMostSplitRays = 1u << 16;
 constexpr float kLongPathChance = 0.95f;
 /// Beyond the vertices that have strata.
 constexpr std::size_t kNoStrata = std::numeric_limits<std::size_t>::max();
@@ -83,6 +88,7 @@ PathTracer::PathTracer(const Geometry& geometry, Field* field, const PathSetting
 }
 
 Rgb PathTracer::trace(Vec3f origin, Vec3f direction, PathPoints& points, float expected) {
+  splitsUntil_ = rays_ + kMostSplitRays;
   return arriving({origin, direction, {1.0f, 1.0f, 1.0f}, 0.0f, 1, true}, points, expected);
 }
 
@@ -158,6 +164,7 @@ float PathTracer::raysToGoOn(const Ray& ray, const Surface& surface, float expec
     rays = continuation(luminance(ray.throughput), surface.view.mean, expected,
                         static_cast<float>(settings_.maxSplit));
   }
+  if (rays_ >= splitsUntil_) rays = std::min(rays, 1.0f);
   return ray.depth > kLongPath ? std::min(rays, kLongPathChance) : rays;
 }
 

@@ -87,6 +87,7 @@ class PathTracer {
   uint32_t gridColumns_ = 1;  ///< shadow rays are jittered on a grid of this many columns
   uint64_t rays_ = 0;
   uint64_t shadowRays_ = 0;
+  uint64_t splitsUntil_ = 0;  ///< so many rays: from there on no ray of the path is split
 };
 
 }  // namespace awd

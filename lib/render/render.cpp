@@ -20,8 +20,10 @@ constexpr uint64_t kFewestSplit = 8;
 
 uint32_t tilesAlong(uint32_t pixels) { return (pixels + kTile - 1) / kTile; }
 
-/// A tile of many samples tells of its progress after so many paths, some ten milliseconds.
+/// A tile of many samples tells of its progress after so many paths or so many rays of them, some
+/// ten milliseconds.
 constexpr std::size_t kPathsPerReport = 4096;
+constexpr uint64_t kRaysPerReport = 1u << 18;
 
 /// Those at the edge of the image count as if they were whole.
 std::size_t pathsOfTile(uint32_t samplesPerPixel) {
@@ -106,14 +108,16 @@ void Render::renderTile(uint32_t tile, uint32_t samplesPerPixel, PassFilm& film,
   PathTracer tracer(*geometry_, learner_, used_);
   uint64_t rejected = 0;
   std::size_t paths = 0, told = 0;
+  uint64_t raysTold = 0;
   for (uint32_t y = y0; y < std::min(y0 + kTile, film.height); ++y) {
     for (uint32_t x = x0; x < std::min(x0 + kTile, film.width); ++x) {
       const uint64_t number = uint64_t{y} * film.width + x;
       for (uint32_t s = 0; s < samplesPerPixel; ++s, ++paths) {
-        if (paths - told == kPathsPerReport) {
+        if (paths - told == kPathsPerReport || tracer.rays() - raysTold >= kRaysPerReport) {
           progress.step(paths - told);
           if (progress.cancelled()) return;
           told = paths;
+          raysTold = tracer.rays();
         }
         const auto index = static_cast<uint32_t>(film_.samples() + s);
         PathPoints points(seed_, statistics_.size(), number, s, settings_.sobol, index);
@@ -196,9 +200,9 @@ AWDPassStatistics Render::pass(uint32_t samplesPerPixel) {
   if (samplesPerPixel == 0) {
     fail(AWD_ERROR_INVALID_ARGUMENT, "samplesPerPixel is 0: a pass has at least 1 sample");
   }
-  dropPart();
   const Stopwatch watch;
   PassFilm film(context_->memory(), film_.width(), film_.height());
+  dropPart();
   prepare();
   const Counters counters = renderTiles(samplesPerPixel, 0, 1, film);
   AWDPassStatistics& figures = finish(film, samplesPerPixel, counters);

@@ -89,7 +89,6 @@ void Render::checkBegun(const std::pmr::vector<uint32_t>& plan) const {
 
 Render::Run Render::begin(const AWDSchedule& schedule) {
   check(schedule);
-  dropPart();
   Run run = {schedule, std::pmr::vector<uint32_t>(context_->memory()), 0, 0, 0.0, 0.0, {}};
   const bool resumes = schedule.resume != 0;
   if (resumes) run.next = static_cast<uint32_t>(statistics_.size());
@@ -102,6 +101,7 @@ Render::Run Render::begin(const AWDSchedule& schedule) {
       run.spent = total().wallSeconds;
       run.pace = last.wallSeconds / static_cast<double>(last.samplesPerPixel);
     }
+    dropPart();
     stepAside(shouldStepAside(run.left));
     return run;
   }
@@ -109,6 +109,7 @@ Render::Run Render::begin(const AWDSchedule& schedule) {
   stepAside(divides && shouldStepAside(static_cast<double>(all - std::min(all, had))));
   run.plan = planPasses(context_->memory(), schedule, preset_, learner_ != nullptr);
   if (resumes) checkBegun(run.plan);
+  dropPart();  // not before: a schedule that is refused changes nothing
   return run;
 }
 

@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "util/error.h"
 
 namespace awd {
+
+namespace {
+
+/// A ray in the scene's frame whose direction has a largest component within 1/2 and 1, so that
+/// Embree sees it: it takes components below 1e-18 for 1e-18. t in it is t of the ray times
+/// 2^power.
+struct TracedRay {
+  Vec3f direction;
+  int power;
+  float tnear, tfar;
+
+  TracedRay(const AWDRay& ray, double scale) {
+    const Vec3d d = convert<double>(load(ray.direction)) * scale;
+    static_cast<void>(
+        std::frexp(std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}), &power));
+    direction = convert<float>(d * std::ldexp(1.0, -power));
+    tnear = std::ldexp(ray.tnear, power);
+    tfar = std::ldexp(std::min(ray.tfar, std::numeric_limits<float>::max()), power);
+  }
+};
+
+}  // namespace
 
 Ref<Scene> Scene::make(Ref<Device> device) {
   std::pmr::memory_resource* memory = device->context().memory();
@@ -77,16 +100,17 @@ AWDHit Scene::intersect(const AWDRay& ray) const {
   AWDHit miss = {kInfinity,      {0.0f, 0.0f, 0.0f}, 0.0f,           0.0f,
                  AWD_INVALID_ID, AWD_INVALID_ID,     AWD_INVALID_ID, AWD_INVALID_ID};
   const Geometry& g = geometry();
-  const Vec3f direction = load(ray.direction) * g.scale();
+  const TracedRay traced(ray, g.scale());
   RayHit hit;
   if (ray.tnear > ray.tfar) return miss;
-  if (!g.embree().intersect(g.toFrame(load(ray.origin)), direction, ray.tnear, ray.tfar, hit)) {
+  if (!g.embree().intersect(g.toFrame(load(ray.origin)), traced.direction, traced.tnear,
+                            traced.tfar, hit)) {
     return miss;
   }
   const Triangle& triangle = g.triangle(hit.triangle);
   const Geometry::Source source = g.source(triangle);
-  const bool back = dot(triangle.normal, direction) > 0.0f;
-  return {hit.t,
+  const bool back = dot(triangle.normal, traced.direction) > 0.0f;
+  return {std::ldexp(hit.t, -traced.power),
           {triangle.normal.x, triangle.normal.y, triangle.normal.z},
           hit.u,
           hit.v,
@@ -100,8 +124,9 @@ bool Scene::occluded(const AWDRay& ray) const {
   const Geometry& g = geometry();
   // Embree tells by a negative tfar that it met something.
   if (ray.tnear > ray.tfar) return false;
-  return g.embree().occluded(g.toFrame(load(ray.origin)), load(ray.direction) * g.scale(),
-                             ray.tnear, ray.tfar);
+  const TracedRay traced(ray, g.scale());
+  return g.embree().occluded(g.toFrame(load(ray.origin)), traced.direction, traced.tnear,
+                             traced.tfar);
 }
 
 uint32_t Scene::pointPatch(Vec3f point) const {

@@ -11,7 +11,7 @@ namespace awd {
 
 Context::Context(const AWDDeviceDesc& desc)
     : memory_(desc.alloc, desc.free, desc.allocUser),
-      parallel_(desc.threads, desc.parallelFor, desc.parallelForUser),
+      parallel_(&memory_, desc.threads, desc.parallelFor, desc.parallelForUser),
       log_(desc.log),
       logUser_(desc.logUser),
       progress_(desc.progress),

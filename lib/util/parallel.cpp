@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <memory_resource>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -36,7 +37,6 @@ class Loop {
   Loop(Task task, void* data) : task_(task), data_(data) {}
 
   void once(std::size_t index) noexcept {
-    calls_.fetch_add(1, std::memory_order_relaxed);
     if (failed_.load(std::memory_order_relaxed)) return;
     try {
       task_(data_, index);
@@ -50,8 +50,6 @@ class Loop {
     }
   }
 
-  std::size_t calls() const { return calls_.load(); }
-
   void rethrow() {
     if (error_) std::rethrow_exception(error_);
   }
@@ -59,11 +57,48 @@ class Loop {
  private:
   Task task_;
   void* data_;
-  std::atomic<std::size_t> calls_{0};
   std::atomic<bool> failed_{false};
   std::mutex mutex_;
   std::size_t index_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr error_;
+};
+
+/// A loop on the host's scheduler, which may call anything: no index is run that there is not, and
+/// none twice.
+class HostLoop {
+ public:
+  HostLoop(std::pmr::memory_resource* memory, std::size_t count, Loop& loop)
+      : loop_(loop), begun_(count, Flags::allocator_type(memory)) {}
+
+  void once(std::size_t index) noexcept {
+    if (index >= begun_.size()) {
+      beyond_.store(index, std::memory_order_relaxed);
+    } else if (begun_[index].exchange(true, std::memory_order_relaxed)) {
+      twice_.store(index, std::memory_order_relaxed);
+    } else {
+      loop_.once(index);
+    }
+  }
+
+  /// Throws unless each was called once.
+  void check() const {
+    const auto complain = [&](const char* what, std::size_t index) {
+      fail(AWD_ERROR_INVALID_OPERATION,
+           "the host's parallelFor %s index %zu: it must run each of %zu once", what, index,
+           begun_.size());
+    };
+    if (beyond_ != kNone) complain("went on to", beyond_);
+    if (twice_ != kNone) complain("repeated", twice_);
+    const auto left = std::find(begun_.begin(), begun_.end(), false);
+    if (left != begun_.end()) complain("left out", left - begun_.begin());
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  using Flags = std::pmr::vector<std::atomic<bool>>;
+  Loop& loop_;
+  Flags begun_;
+  std::atomic<std::size_t> beyond_{kNone}, twice_{kNone};
 };
 
 /// The process in which oneTBB's threads were started for us. In one that was forked from it they
@@ -116,8 +151,10 @@ struct Parallel::Arena {
 };
 #endif
 
-Parallel::Parallel(uint32_t threads, AWDParallelForFn hostFor, void* hostUser)
-    : threads_(threads ? threads : usableThreads()),
+Parallel::Parallel(std::pmr::memory_resource* memory, uint32_t threads, AWDParallelForFn hostFor,
+                   void* hostUser)
+    : memory_(memory),
+      threads_(threads ? threads : usableThreads()),
       hostFor_(hostFor),
       hostUser_(hostUser),
       arena_(std::make_unique<Arena>(threads_)) {}
@@ -131,14 +168,11 @@ Parallel::~Parallel() {
 void Parallel::run(std::size_t count, Task task, void* data) {
   Loop loop(task, data);
   if (hostFor_) {
+    HostLoop hosted(memory_, count, loop);
     hostFor_(
-        hostUser_, count, [](void* self, std::size_t i) { static_cast<Loop*>(self)->once(i); },
-        &loop);
-    if (loop.calls() != count) {
-      fail(AWD_ERROR_INVALID_OPERATION,
-           "the host's parallelFor made %zu calls of %zu: it must run every index once",
-           loop.calls(), count);
-    }
+        hostUser_, count, [](void* self, std::size_t i) { static_cast<HostLoop*>(self)->once(i); },
+        &hosted);
+    hosted.check();
   } else if (threads_ == 1) {
     for (std::size_t i = 0; i < count; ++i) loop.once(i);
   } else {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <memory_resource>
 #include <type_traits>
 
 #include "awd/types.h"
@@ -15,7 +16,8 @@ namespace awd {
 class Parallel {
  public:
   /// threads 0: as many as this process may use. Touches nothing process-wide.
-  Parallel(uint32_t threads, AWDParallelForFn hostFor, void* hostUser);
+  Parallel(std::pmr::memory_resource* memory, uint32_t threads, AWDParallelForFn hostFor,
+           void* hostUser);
   ~Parallel();
 
   unsigned threads() const noexcept { return threads_; }
@@ -44,6 +46,7 @@ class Parallel {
   void enter(Task task, void* data);
 
   struct Arena;
+  std::pmr::memory_resource* memory_;
   unsigned threads_;
   AWDParallelForFn hostFor_;
   void* hostUser_;

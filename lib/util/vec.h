@@ -62,6 +62,9 @@ Vec3<To> convert(Vec3<From> a) {
 inline Vec3f load(const float v[3]) { return {v[0], v[1], v[2]}; }
 
 /// Luminance of linear RGB with the primaries of Rec. 709.
-inline float luminance(Rgb c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+template <class T>
+T luminance(Vec3<T> c) {
+  return T(0.2126) * c.x + T(0.7152) * c.y + T(0.0722) * c.z;
+}
 
 }  // namespace awd

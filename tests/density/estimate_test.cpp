@@ -86,6 +86,19 @@ TEST_F(Estimates, ByCount) {
   EXPECT_NEAR(estimate.standardError, std::sqrt(2 * 2.0 + 3 * 13.0) / 5.0, 1e-15);
 }
 
+/// No pass tells its own variance, but that there is one.
+TEST_F(Estimates, PassesOfOneSample) {
+  const Density density = make(AWD_COMBINE_DEFAULT, gridDesc(), "haar");
+  Random random(53);
+  for (int i = 0; i < 50; ++i) {
+    pass(density, 1, random, [](const double* x) { return x[0] < 0.5 ? 0.0 : 2.0; });
+  }
+  const AWDDensityEstimate estimate = estimateOf(density);
+  EXPECT_EQ(estimate.samples, 50u);
+  EXPECT_GT(estimate.standardError, 1.0 / std::sqrt(50.0)) << "that of uniform samples";
+  EXPECT_LT(estimate.standardError, 1.0);
+}
+
 /// Null hypothesis: the mean over many runs is the integral. |z| beyond its threshold: kFalseAlarm
 /// for all cases together. The reported error is right on average: its mean square over the true
 /// one within 25 %, of which the 400 runs themselves leave 7 % of uncertainty.

@@ -9,6 +9,10 @@
 
 namespace awdtest {
 
+/// All of those below.
 const std::vector<Extreme>& densityExtremes();
+
+std::vector<Extreme> sampleExtremes();
+std::vector<Extreme> shapeExtremes();
 
 }  // namespace awdtest

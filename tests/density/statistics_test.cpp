@@ -315,6 +315,47 @@ TEST_F(Statistics, ForksOfAnotherPass) {
 }
 
 /// A pass holds 2^30 - 1 samples: statistics that claim more can't be added up.
+/// As many adapts, and the same p, since the first learned from a zero alone; but one of them has a
+/// pass more to be weighed against.
+TEST_F(Statistics, ForksOfOtherPasses) {
+  AWDDensityDesc desc = gridDesc();
+  desc.combination = AWD_COMBINE_CROSS_VARIANCE;
+  const Density density = newDensity(device_, {AWDDensityAxis{}}, desc);
+  const Density fork = forkOf(density);
+  const double x = 0.5, zero = 0.0, one = 1.0;
+  must(awdRecordDensity(density, 1, &x, nullptr, nullptr, &zero));
+  adapt(density);
+  adapt(fork);
+  must(awdRecordDensity(fork, 1, &x, nullptr, nullptr, &one));
+  expectFailure(awdJoinDensity(density, fork), AWD_ERROR_INVALID_OPERATION, {"fork", "another p"});
+  EXPECT_EQ(infoOf(fork).samples, 1u);
+}
+
+/// Two trees whose boxes were halved along the same axes, but not at the same places.
+TEST_F(Statistics, OfOtherBoxesAreRefused) {
+  const auto treeOf = [this](const std::function<double(double)>& place) {
+    AWDDensityDesc desc = treeDesc();
+    desc.maxCoefficients = 5;
+    Density density = newDensity(device_, {axisFrom("haar", 1, 10)}, desc);
+    Random random(35);
+    pass(density, 20000, random, [&](const double* x) {
+      const double y = place(x[0]);
+      return y < 0.125 ? 14.0 : y < 0.25 ? 10.0 : y < 0.5 ? 1.0 : y < 0.75 ? 9.0 : 1.0;
+    });
+    return density;
+  };
+  const Density one = treeOf([](double x) { return x; });
+  const Density other = treeOf([](double x) { return x < 0.5 ? x + 0.5 : x - 0.5; });
+  ASSERT_EQ(infoOf(one).coefficients, infoOf(other).coefficients);
+  ASSERT_NE(leavesOf(one), leavesOf(other));
+  Random random(36);
+  const Samples samples = draw(other, 10, random, wild);
+  record(other, samples);
+  const Bytes bytes = statisticsOf(other);
+  expectFailure(awdAddDensityStatistics(one, bytes.data(), bytes.size()),
+                AWD_ERROR_INVALID_ARGUMENT, {"boxes"});
+}
+
 TEST_F(Statistics, AtMostSoManySamples) {
   const Density density = newDensity(device_, {fixedAxis("haar", 0)});
   const double x = 0.5, p = 1.0, f = 1.0;

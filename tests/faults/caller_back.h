@@ -50,9 +50,9 @@ struct CallerBack {
 
 /// A render with a field that has learned a little.
 struct Begun {
-  Begun(CallerBack& host, uint32_t threads, uint32_t size = 40) : camera(lampRoomCamera(size)) {
-    const AWDDeviceDesc deviceDesc = host.desc(threads);
-    device = newDevice(&deviceDesc);
+  Begun(CallerBack& host, uint32_t threads, uint32_t size = 40) : Begun(host.desc(threads), size) {}
+  Begun(const AWDDeviceDesc& desc, uint32_t size) : camera(lampRoomCamera(size)) {
+    device = newDevice(&desc);
     scene = lampRoom().commit(device);
     must(awdNewSceneField(scene, nullptr, field.out()));
     render = newRender(scene, renderDesc(camera, AWD_GUIDE_ADAPTIVE, 3), field);

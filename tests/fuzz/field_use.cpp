@@ -38,14 +38,15 @@ void recordField(AWDField field, int samples, uint64_t seed) {
     }
     AWDDirectionSample sample = {};
     require(awdSampleField(field, patch, normal, uniforms, &sample) == AWD_SUCCESS, "no sample");
-    require(isDensity(sample.pdf), "the pdf of a sample is none");
+    require(isDensity(sample.pdf) && sample.pdf > 0.0f, "the pdf of a sample is none");
     for (const float x : sample.square) require(x >= 0.0f && x <= 1.0f, "outside the square");
     float pdf = -1.0f;
     require(awdGetFieldPdf(field, patch, normal, sample.direction, &pdf) == AWD_SUCCESS, "no pdf");
     require(isDensity(pdf), "a pdf is none");
-    require(awdRecordField(field, patch, &sample, std::ldexp(random.uniform(), i % 20 - 10)) ==
-                AWD_SUCCESS,
-            "no record");
+    if (!oneOf(awdRecordField(field, patch, &sample, std::ldexp(random.uniform(), i % 20 - 10)),
+               {AWD_ERROR_OUT_OF_MEMORY}, "record")) {
+      return;
+    }
     float mean = 0.0f, rays = 0.0f, chance = 0.0f, magnitude = 0.0f;
     require(awdGetPatchMean(field, patch, &mean) == AWD_SUCCESS && !std::isnan(mean), "no mean");
     require(
@@ -81,6 +82,10 @@ void useField(const Bounds& bounds, AWDField field) {
     recordField(copy, 12, 3);
     oneOf(awdMergeField(field, copy), {AWD_ERROR_OUT_OF_MEMORY, AWD_ERROR_INVALID_ARGUMENT},
           "merge");
+    oneOf(awdSetFieldScale(copy, 3.0), {AWD_ERROR_OUT_OF_MEMORY}, "scale");
+    recordField(copy, 12, 4);
+    require(awdRevertField(copy) == AWD_SUCCESS, "no way back");
+    recordField(copy, 12, 5);
     copy = Field();
   }
   for (int pass = 0; pass < 2; ++pass) {

@@ -76,6 +76,7 @@ for file in "$module" "$work/host/boxes.so"; do
   [[ $(exported "$file") == awdBasisModule_v1 ]] || die "$file exports: $(exported "$file")"
 done
 silent env AWD_BASIS_PATH="$work/cubic" "$work/host/host" "$module"
+silent "$work/host/plusplus"
 [[ $wanted == *render* ]] && renderer=render || renderer=none
 silent "$work/host/plain" shipped "$renderer"
 

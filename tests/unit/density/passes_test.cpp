@@ -45,8 +45,8 @@ TEST(Passes, ByCount) {
   EXPECT_EQ(estimate.samples, 6u);
   EXPECT_EQ(estimate.passes, 3u);
   EXPECT_NEAR(estimate.integral, 15.0 / 6.0, 1e-15);
-  // Variances of one sample: 2 and 12; a single sample has none.
-  EXPECT_NEAR(estimate.standardError, std::sqrt(2 * 2.0 + 3 * 12.0) / 6.0, 1e-15);
+  // Variances of one sample: 2 and 12; of a single one its square stands for it.
+  EXPECT_NEAR(estimate.standardError, std::sqrt(2 * 2.0 + 1 * 25.0 + 3 * 12.0) / 6.0, 1e-15);
 }
 
 /// The last pass says what variance the others have: second moments less the square of its mean.

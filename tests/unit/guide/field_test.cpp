@@ -146,6 +146,52 @@ TEST(Field, RevertForgetsWhatCameAfterTheMark) {
   EXPECT_EQ(plain->density(1).coefficients(), marked->density(1).coefficients());
 }
 
+/// Room was made for a record that never came, since there was none for the next one.
+TEST(Field, ForgetsPatchesThatWereNotRecordedIn) {
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.patches = AWD_PATCHES_SPATIAL;
+  desc.upper[0] = desc.upper[1] = desc.upper[2] = 1.0f;
+  const auto use = [&](const std::function<void(Field&)>& between) {
+    const Ref<Field> field = makeField(desc);
+    const uint32_t seen = field->findPatch({0.5f, 0.5f, 0.5f}, {0, 0, 1});
+    const uint32_t unseen = field->findPatch({0.5f, 0.5f, 0.5f}, {1, 0, 0});
+    field->makeRoom(unseen);
+    run(*field, seen, 100, 46, bump);
+    field->adapt();
+    EXPECT_FALSE(field->view(unseen).statistics);
+    between(*field);
+    run(*field, unseen, 100, 47, bump);
+    EXPECT_EQ(field->patchInfo(unseen).samples, 100u);
+    field->adapt();
+    EXPECT_GT(field->density(unseen).pdf(0.1f, 0.1f), 1.5);
+  };
+  use([](Field& field) { field.setScale(2.0); });
+  use([](Field& field) { field.revert(); });
+  use([](Field&) {});
+}
+
+TEST(Field, SettingTheScaleReachesPatchesThatHaveViews) {
+  AWDFieldDesc desc = AWD_FIELD_DESC_INIT;
+  desc.patches = AWD_PATCHES_SPATIAL;
+  desc.upper[0] = desc.upper[1] = desc.upper[2] = 1.0f;
+  const Ref<Field> field = makeField(desc);
+  const uint32_t patch = field->findPatch({0.5f, 0.5f, 0.5f}, {0, 0, 1});
+  field->adapt();
+  field->makeRoom(patch);
+  field->setScale(1e-9);
+  run(*field, patch, 100, 48, [](float u, float v) { return 1e-9 * bump(u, v); });
+  field->adapt();
+  EXPECT_GT(field->density(patch).pdf(0.1f, 0.1f), 1.5);
+}
+
+TEST(Field, PatchesOfAHostAreBelowTheirEnd) {
+  const Ref<Field> field = makeField(AWD_FIELD_DESC_INIT);
+  field->checkPatch(0x7ffffffeu);
+  field->checkPatch(0xfffffffeu);
+  EXPECT_THROW(field->checkPatch(0x7fffffffu), Error);
+  EXPECT_THROW(field->checkPatch(AWD_INVALID_ID), Error);
+}
+
 TEST(Field, PdfAgreesWithSample) {
   Uniforms random(42);
   for (const AWDHemisphereMap map : {AWD_MAP_SPHERICAL, AWD_MAP_CONCENTRIC_COSINE}) {

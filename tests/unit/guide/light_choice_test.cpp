@@ -55,6 +55,26 @@ TEST(LightChoice, NeverChoosesWhatHasNoChance) {
   EXPECT_EQ(choice->chance(0), 0.0f);
 }
 
+/// Two strata of a uniform: (1 + (1 - 2^-53)) / 2 is 1 in doubles.
+TEST(LightChoice, TakesAUniformThatWasRoundedToOne) {
+  const auto choice = prior({1.0f, 2.0f, 0.0f});
+  const LightChoice::Chosen chosen = choice->choose((1.0 + (1.0 - 0x1p-53)) / 2.0);
+  EXPECT_EQ(chosen.light, 1u);
+  EXPECT_LT(chosen.rest, 1.0);
+}
+
+/// What was too bright for doubles does not outlive a split that forgets it.
+TEST(LightChoice, ForgetsWhatIsInfinite) {
+  const auto start = prior({1.0f, 1.0f});
+  LightSums bright(memory(), 2, LightSums::unitExponentFor(1e200));
+  for (int i = 0; i < 10; ++i) bright.record(0, 1e200);
+  const auto infinite = start->learn(*start, bright, 1.0);
+  LightSums usual(memory(), 2, LightSums::unitExponentFor(1.0));
+  usual.record(0, 1.0);
+  const auto next = infinite->learn(*start, usual, 0.0);
+  EXPECT_NEAR(next->magnitude(), 1.0, 1e-3);
+}
+
 TEST(LightChoice, LearnsTheRootMeanSquares) {
   const auto before = prior({1.0f, 1.0f, 2.0f});
   LightSums sums(memory(), 3, LightSums::unitExponentFor(1.0));

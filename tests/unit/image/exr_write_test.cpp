@@ -87,6 +87,18 @@ TEST_F(ExrWrite, RefusesAnImageWithoutChannels) {
   EXPECT_EQ(fileCount(), 0u);
 }
 
+/// Of two names that begin alike OpenEXR would make one.
+TEST_F(ExrWrite, RefusesNamesThatWouldBeCut) {
+  const Ref<Image> image = Image::make(context(), 1, 1);
+  const std::string longest(255, 'p');
+  image->addChannel(longest);
+  writeExr(*image, path().c_str());
+  EXPECT_EQ(readExr(context(), path().c_str())->channels().size(), 1u);
+  image->addChannel(longest + "R");
+  EXPECT_CONTAINS(errorOf(AWD_ERROR_UNSUPPORTED, [&] { writeExr(*image, path().c_str()); }),
+                  "256 characters");
+}
+
 class ExrWriteFailure : public ExrWrite {
  protected:
   ExrWriteFailure() {

@@ -7,6 +7,7 @@
 
 #include "refit/refit_module.h"
 #include "refit/solving.h"
+#include "support/guarded.h"
 
 namespace awd {
 namespace {
@@ -54,6 +55,48 @@ TEST(RefitModule, SolvesAndRefusesInSilence) {
     EXPECT_EQ(outcome.status, AWD_REFIT_FAILED);
     EXPECT_EQ(std::strncmp(outcome.message, "rhs[2] is nan", 13), 0) << outcome.message;
     EXPECT_EQ(c, p.start);
+  }
+}
+
+/// A newer library's structs are longer, one of before the module's time has shorter ones: no byte
+/// is touched that the caller does not have, or that the module does not know.
+TEST(RefitModule, KeepsToTheSizesOfItsCaller) {
+  const AWDRefitModule* module = moduleTable();
+  ASSERT_NE(module, nullptr);
+  const TestProblem p = gramProblem({});
+  const AWDRefitProblem view = p.view();
+  for (uint32_t i = 0; i < module->solverCount; ++i) {
+    const AWDRefitSolver& solver = *module->solvers[i];
+    std::vector<double> c(p.size()), expected(p.size());
+    AWDRefitOutcome outcome = {sizeof(AWDRefitOutcome), 0, 0, 0, ""};
+    ASSERT_EQ(solver.solve(&view, expected.data(), &outcome), AWD_SUCCESS);
+
+    for (const std::size_t more : {std::size_t{0}, std::size_t{8}, std::size_t{1000}}) {
+      const awdtest::Guarded problem(sizeof view + more), result(sizeof outcome + more);
+      std::memset(problem.data(), 0xa5, problem.size());
+      std::memset(result.data(), 0xa5, result.size());
+      AWDRefitProblem grown = view;
+      grown.structSize = problem.size();
+      std::memcpy(problem.data(), &grown, sizeof grown);
+      const std::size_t room = result.size();
+      std::memcpy(result.data(), &room, sizeof room);
+      ASSERT_EQ(solver.solve(reinterpret_cast<const AWDRefitProblem*>(problem.data()), c.data(),
+                             reinterpret_cast<AWDRefitOutcome*>(result.data())),
+                AWD_SUCCESS);
+      EXPECT_EQ(c, expected);
+      for (std::size_t at = sizeof outcome; at < room; ++at) {
+        ASSERT_EQ(static_cast<unsigned char>(result.data()[at]), 0xa5u) << at;
+      }
+    }
+    const awdtest::Guarded shorter(sizeof view - 8);
+    AWDRefitProblem old = view;
+    old.structSize = shorter.size();
+    std::memcpy(shorter.data(), &old, shorter.size());
+    EXPECT_EQ(
+        solver.solve(reinterpret_cast<const AWDRefitProblem*>(shorter.data()), c.data(), &outcome),
+        AWD_SUCCESS);
+    EXPECT_EQ(outcome.status, AWD_REFIT_FAILED);
+    EXPECT_NE(std::strstr(outcome.message, "structSize is"), nullptr) << outcome.message;
   }
 }
 

@@ -34,6 +34,16 @@ TEST(Lights, KnowTheirAreaAndShare) {
   EXPECT_FLOAT_EQ(lights.brightest(), 12.0f);
 }
 
+/// Luminance as a float would be 0, and their share of it no number.
+TEST(Lights, ThatAreNextToDarkShareAllThereIs) {
+  Lights lights(std::pmr::get_default_resource());
+  lights.add({0, 0, 1}, {0, 0, 1e-45f}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  lights.add({0, 0, 1}, {0, 0, 1e-45f}, {{5, 0, 0}, {8, 0, 0}, {5, 1, 0}});
+  lights.finish();
+  EXPECT_FLOAT_EQ(lights[0].choice, 0.25f);
+  EXPECT_FLOAT_EQ(lights[1].choice, 0.75f);
+}
+
 Lights rowOfLights(int count) {
   Lights lights(std::pmr::get_default_resource());
   for (int i = 0; i < count; ++i) {

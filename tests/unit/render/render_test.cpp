@@ -65,6 +65,25 @@ TEST(Render, AdaptsBetweenPassesAlone) {
   EXPECT_EQ(render->statistics().size(), 4u);
 }
 
+TEST(Render, ARefusedScheduleKeepsThePartThatWaits) {
+  const Ref<Scene> scene = sceneOf(floorAndLamp());
+  const Ref<Field> field = haarField(scene);
+  const Ref<Render> render = makeRender(scene, field, AWD_GUIDE_ADAPTIVE);
+  AWDSchedule schedule = AWD_SCHEDULE_INIT;
+  schedule.totalSamples = 20;
+  ASSERT_GT(render->passPart(schedule, 0, 1), 0u);
+  const uint64_t recorded = field->patchInfo(scene->geometry().triangle(0).patch).samples;
+  const uint32_t none[] = {0};
+  AWDSchedule wrong = AWD_SCHEDULE_INIT;
+  wrong.samplesPerPass = none;
+  wrong.passCount = 1;
+  EXPECT_THROW(render->passes(wrong), Error);
+  EXPECT_THROW(render->passPart(wrong, 0, 1), Error);
+  EXPECT_THROW(render->pass(0), Error);
+  EXPECT_GT(render->exchangeSize().sums, 0u);
+  EXPECT_EQ(field->patchInfo(scene->geometry().triangle(0).patch).samples, recorded);
+}
+
 TEST(Render, StepsAsideWhereThereAreTooFewSamplesToLearnFrom) {
   const Ref<Scene> scene = sceneOf(floorAndLamp());
   AWDSchedule schedule = AWD_SCHEDULE_INIT;

@@ -31,6 +31,35 @@ TEST(Scene, AnswersInHostCoordinates) {
   }
 }
 
+/// Neither a short direction nor a large scene hides anything.
+TEST(Scene, MeetsTheSameByRaysOfAnyLength) {
+  for (const float size : {1e-30f, 1.0f, 1e9f, 9e17f}) {
+    const Ref<Scene> scene = sceneOf(floorAndLamp(size));
+    for (const float length : {1e-40f, 1e-30f, 1e-18f, 1e-16f, 1.0f, 1e10f}) {
+      if (length / size > 1e18f) continue;
+      const AWDRay down = {{0.5f * size, 0.1f * size, 0.5f * size},
+                           0.0f,
+                           {0.1f * length, 0.2f * length, -length},
+                           kFar};
+      const AWDHit hit = scene->intersect(down);
+      const double t = 0.5 * static_cast<double>(size) / static_cast<double>(length);
+      if (t > 3e38) {
+        EXPECT_EQ(hit.mesh, AWD_INVALID_ID) << "t is no float";
+        continue;
+      }
+      EXPECT_EQ(hit.mesh, 0u) << size << ", " << length;
+      EXPECT_TRUE(scene->occluded(down)) << size << ", " << length;
+      EXPECT_NEAR(static_cast<double>(hit.t) / t, 1.0, 1e-5) << size << ", " << length;
+      AWDRay segment = down;
+      segment.tfar = hit.t * 0.99f;
+      EXPECT_FALSE(scene->occluded(segment)) << size << ", " << length;
+      segment.tnear = hit.t * 1.01f;
+      segment.tfar = kFar;
+      EXPECT_FALSE(scene->occluded(segment)) << size << ", " << length;
+    }
+  }
+}
+
 TEST(Scene, KnowsThePatchOfAPoint) {
   const Ref<Scene> scene = sceneOf(floorAndLamp());
   const uint32_t floor = scene->geometry().triangle(0).patch;

@@ -15,11 +15,12 @@
 namespace {
 
 using awd::Parallel;
+std::pmr::memory_resource* const kHeap = std::pmr::new_delete_resource();
 
 class Threads : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(Threads, EveryIndexOnce) {
-  Parallel parallel(GetParam(), nullptr, nullptr);
+  Parallel parallel(kHeap, GetParam(), nullptr, nullptr);
   for (std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
     std::vector<std::atomic<int>> calls(count);
     parallel.forEach(count, [&](std::size_t i) { ++calls[i]; });
@@ -28,14 +29,14 @@ TEST_P(Threads, EveryIndexOnce) {
 }
 
 TEST_P(Threads, LoopsNest) {
-  Parallel parallel(GetParam(), nullptr, nullptr);
+  Parallel parallel(kHeap, GetParam(), nullptr, nullptr);
   std::atomic<int> calls{0};
   parallel.forEach(20, [&](std::size_t) { parallel.forEach(20, [&](std::size_t) { ++calls; }); });
   EXPECT_EQ(calls, 400);
 }
 
 TEST_P(Threads, AnExceptionArrivesAfterTheLoop) {
-  Parallel parallel(GetParam(), nullptr, nullptr);
+  Parallel parallel(kHeap, GetParam(), nullptr, nullptr);
   std::atomic<int> running{0};
   try {
     parallel.forEach(1000, [&](std::size_t i) {
@@ -59,7 +60,7 @@ TEST_P(Threads, AnExceptionArrivesAfterTheLoop) {
 }
 
 TEST_P(Threads, WithinRunsOnceAndPassesExceptionsOn) {
-  Parallel parallel(GetParam(), nullptr, nullptr);
+  Parallel parallel(kHeap, GetParam(), nullptr, nullptr);
   int calls = 0;
   parallel.within([&] { ++calls; });
   EXPECT_EQ(calls, 1);
@@ -67,7 +68,7 @@ TEST_P(Threads, WithinRunsOnceAndPassesExceptionsOn) {
 }
 
 TEST_P(Threads, NoMoreThreadsThanAskedFor) {
-  Parallel parallel(GetParam(), nullptr, nullptr);
+  Parallel parallel(kHeap, GetParam(), nullptr, nullptr);
   std::atomic<unsigned> now{0}, most{0};
   parallel.forEach(200, [&](std::size_t) {
     const unsigned n = ++now;
@@ -83,12 +84,12 @@ TEST_P(Threads, NoMoreThreadsThanAskedFor) {
 INSTANTIATE_TEST_SUITE_P(Parallel, Threads, testing::Values(0u, 1u, 2u, 5u));
 
 TEST(Parallel, KnowsItsThreads) {
-  EXPECT_EQ(Parallel(3, nullptr, nullptr).threads(), 3u);
-  EXPECT_GE(Parallel(0, nullptr, nullptr).threads(), 1u);
+  EXPECT_EQ(Parallel(kHeap, 3, nullptr, nullptr).threads(), 3u);
+  EXPECT_GE(Parallel(kHeap, 0, nullptr, nullptr).threads(), 1u);
 }
 
 TEST(Parallel, OneThreadIsTheCallersInOrder) {
-  Parallel parallel(1, nullptr, nullptr);
+  Parallel parallel(kHeap, 1, nullptr, nullptr);
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<std::size_t> order;
   parallel.forEach(100, [&](std::size_t i) {
@@ -99,7 +100,7 @@ TEST(Parallel, OneThreadIsTheCallersInOrder) {
 }
 
 TEST(Parallel, OfSeveralExceptionsTheLowestIndexWins) {
-  Parallel parallel(1, nullptr, nullptr);
+  Parallel parallel(kHeap, 1, nullptr, nullptr);
   std::size_t calls = 0;
   try {
     parallel.forEach(100, [&](std::size_t i) {
@@ -117,6 +118,7 @@ struct Host {
   int loops = 0;
   std::size_t skip = SIZE_MAX;    ///< index that it forgets
   std::size_t repeat = SIZE_MAX;  ///< index that it runs twice
+  std::size_t beyond = 0;         ///< index that it adds
 
   static void AWD_CALL run(void* user, std::size_t count, AWDTaskFn task, void* data) {
     Host& host = *static_cast<Host*>(user);
@@ -126,6 +128,7 @@ struct Host {
         if (i != host.skip) task(data, i);
         if (i == host.repeat) task(data, i);
       }
+      if (host.beyond > 0) task(data, host.beyond);
     });
     for (std::size_t i = 0; i < count / 2; ++i) task(data, i);
     back.join();
@@ -134,7 +137,7 @@ struct Host {
 
 TEST(HostLoop, RunsEverything) {
   Host host;
-  Parallel parallel(4, Host::run, &host);
+  Parallel parallel(kHeap, 4, Host::run, &host);
   std::vector<std::atomic<int>> calls(100);
   parallel.forEach(calls.size(), [&](std::size_t i) { ++calls[i]; });
   for (const auto& n : calls) EXPECT_EQ(n, 1);
@@ -143,7 +146,7 @@ TEST(HostLoop, RunsEverything) {
 
 TEST(HostLoop, ExceptionsDoNotPassThroughTheHost) {
   Host host;
-  Parallel parallel(4, Host::run, &host);
+  Parallel parallel(kHeap, 4, Host::run, &host);
   EXPECT_THROW(parallel.forEach(100,
                                 [](std::size_t i) {
                                   if (i == 70) throw std::runtime_error("x");
@@ -151,29 +154,47 @@ TEST(HostLoop, ExceptionsDoNotPassThroughTheHost) {
                std::runtime_error);
 }
 
-void expectCountComplaint(Host& host, const char* text) {
-  Parallel parallel(4, Host::run, &host);
+/// No index is run twice, and none that there is not, whatever the host does.
+void expectComplaint(Host& host, const char* text) {
+  Parallel parallel(kHeap, 4, Host::run, &host);
+  std::vector<std::atomic<int>> calls(100);
   try {
-    parallel.forEach(100, [](std::size_t) {});
+    parallel.forEach(100, [&](std::size_t i) { ++calls.at(i); });
     FAIL() << "no error";
   } catch (const awd::Error& error) {
     EXPECT_EQ(error.code(), AWD_ERROR_INVALID_OPERATION);
     EXPECT_STREQ(error.what(), text);
   }
+  for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_EQ(calls[i], i != host.skip);
 }
 
 TEST(HostLoop, OneThatSkipsAnIndexIsCaught) {
   Host host;
   host.skip = 60;
-  expectCountComplaint(host,
-                       "the host's parallelFor made 99 calls of 100: it must run every index once");
+  expectComplaint(host, "the host's parallelFor left out index 60: it must run each of 100 once");
 }
 
 TEST(HostLoop, OneThatRepeatsAnIndexIsCaught) {
   Host host;
   host.repeat = 60;
-  expectCountComplaint(
-      host, "the host's parallelFor made 101 calls of 100: it must run every index once");
+  expectComplaint(host, "the host's parallelFor repeated index 60: it must run each of 100 once");
+}
+
+TEST(HostLoop, OneThatGoesTooFarIsCaught) {
+  for (const std::size_t beyond : {std::size_t{100}, SIZE_MAX - 1}) {
+    Host host;
+    host.beyond = beyond;
+    const std::string text = "the host's parallelFor went on to index " + std::to_string(beyond) +
+                             ": it must run each of 100 once";
+    expectComplaint(host, text.c_str());
+  }
+}
+
+TEST(HostLoop, OneThatSkipsAndRepeatsIsCaught) {
+  Host host;
+  host.skip = 60;
+  host.repeat = 70;  // as many calls as there should be
+  expectComplaint(host, "the host's parallelFor repeated index 70: it must run each of 100 once");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(Vec3, KnowsWhatIsNotFinite) {
   EXPECT_FALSE(isFinite(Vec3f{1, 2, std::numeric_limits<float>::quiet_NaN()}));
 }
 
-TEST(Luminance, OfWhiteIsOne) { EXPECT_FLOAT_EQ(luminance({1, 1, 1}), 1.0f); }
+TEST(Luminance, OfWhiteIsOne) { EXPECT_FLOAT_EQ(luminance(Rgb{1, 1, 1}), 1.0f); }
 
 }  // namespace
 }  // namespace awd

@@ -46,8 +46,13 @@ fn parts_make_the_whole() {
         if samples == 0 {
             break;
         }
-        let mut all = ranks[0].export_pass().unwrap();
-        assert!(all.combine(&ranks[1].export_pass().unwrap()));
+        let (mine, theirs) = (ranks[0].export_pass().unwrap(), ranks[1].export_pass().unwrap());
+        let mut all = mine.clone();
+        assert!(all.combine(&theirs));
+        for (i, (a, b)) in mine.numbers.iter().zip(&theirs.numbers).enumerate() {
+            let combined = if i < mine.sums { a.wrapping_add(*b) } else { *a.max(b) };
+            assert_eq!(all.numbers[i], combined);
+        }
         for rank in &mut ranks {
             assert_eq!(rank.import_pass(&all.numbers).unwrap().samples_per_pixel, samples.into());
         }
