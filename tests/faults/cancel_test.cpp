@@ -3,6 +3,8 @@
 // same call again comes to the bits of one that was never cancelled.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "faults/caller_back.h"
 #include "support/expect.h"
 #include "support/soak.h"
@@ -43,7 +45,7 @@ TEST_P(Cancelled, InEachOperation) {
   EXPECT_GE(cancelEach(
                 host, "commit", [&] { return awdCommitScene(begun.scene); },
                 [&] { must(awdGetSceneInfo(begun.scene, &info)); }),
-            1u);
+            5u);
 
   Outcome before = outcomeOf(undisturbed.render);
   EXPECT_GE(cancelEach(
@@ -72,6 +74,40 @@ TEST_P(Cancelled, WithinATile) {
   must(awdAdaptField(begun.field, nullptr));
   must(awdAdaptField(undisturbed.field, nullptr));
   expectSameOutcome(outcomeOf(begun.render), outcomeOf(undisturbed.render));
+}
+
+/// A field that is wrong by thirty powers of ten would have every ray split, and those again.
+TEST_P(Cancelled, WithinAPathThatSplits) {
+  CallerBack host;
+  const AWDDeviceDesc deviceDesc = host.desc(GetParam());
+  const Device device = newDevice(&deviceDesc);
+  const Scene scene = lampRoom().commit(device);
+  Field field;
+  must(awdNewSceneField(scene, nullptr, field.out()));
+  must(awdSetFieldScale(field, 1e30));
+  const float normals[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const float* normal : normals) {
+    uint32_t patch = 0;
+    must(awdFindPatch(field, std::array<float, 3>{1, 1, 1}.data(), normal, &patch));
+    for (const double u : {0.1, 0.4, 0.6, 0.9}) {
+      AWDDirectionSample sample = {};
+      must(awdSampleField(field, patch, normal, std::array<double, 3>{u, 1.0 - u, 0.5}.data(),
+                          &sample));
+      must(awdRecordField(field, patch, &sample, 1e30));
+    }
+  }
+  must(awdAdaptField(field, nullptr));
+  const AWDCamera camera = lampRoomCamera(4);
+  const Render render = newRender(scene, renderDesc(camera, AWD_GUIDE_ADAPTIVE, 3), field);
+  AWDPassStatistics first = AWD_PASS_STATISTICS_INIT;
+  must(awdRenderPass(render, 8, &first));  // from the second pass on a pixel's brightness is known
+  AWDPassStatistics second = AWD_PASS_STATISTICS_INIT;
+  must(awdRenderPass(render, 2, &second));
+  EXPECT_GT(second.rays, 4 * first.rays) << "nothing is split";
+  EXPECT_LT(second.rays, uint64_t{4 * 4 * 2} * 100000);
+  host.onCall("pass", 1, nullptr, true);
+  expectFailure(awdRenderPass(render, 1u << 20, nullptr), AWD_ERROR_CANCELLED, {"pass"});
+  EXPECT_LT(host.farthest, 1e-4);
 }
 
 /// Passes that were finished stay, and a schedule that is resumed comes to the same end.

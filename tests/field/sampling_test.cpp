@@ -127,6 +127,29 @@ TEST_P(Sampling, PdfOfASampleIsThatOfItsDirection) {
   EXPECT_LE(misses, samples / 1000);
 }
 
+/// What is taken for a unit vector is used as one, whatever little it lacks.
+TEST_P(Sampling, NormalsNeedNotBeUnitToTheLastDigit) {
+  Random random(77);
+  size_t misses = 0;
+  for (const Normal& normal : someNormals()) {
+    for (const float size : {0.9991f, 1.0009f}) {
+      const float n[3] = {normal.values[0] * size, normal.values[1] * size,
+                          normal.values[2] * size};
+      for (int i = 0; i < 20; ++i) {
+        const AWDDirectionSample s = draw(field_, kFront, n, random);
+        const Vec3 d = {s.direction[0], s.direction[1], s.direction[2]};
+        EXPECT_NEAR(length(d), 1.0, 1e-5);
+        const double c = dot(d, normal.exact());
+        if (c < 5e-3 || c > 1.0 - 5e-5) continue;
+        float found = 0.0f;
+        must(awdGetFieldPdf(field_, kFront, n, s.direction, &found));
+        misses += !(std::fabs(found / s.pdf - 1.0f) < 1e-4f);
+      }
+    }
+  }
+  EXPECT_LE(misses, 2u);
+}
+
 /// The sample's point on the square is where the coefficients say its density is, and the solid
 /// angle is that of the map (awd/field.h has the formulas).
 TEST_P(Sampling, SquareAndPdfBelongTogether) {

@@ -293,6 +293,9 @@ TEST_F(BadScene, QueriesOfWhatIsNotThere) {
                 {"triangle", "2"});
   const float nowhere[3] = {kNaN, 0, 0};
   expectFailure(awdGetPointPatch(scene_, nowhere, &patch), AWD_ERROR_INVALID_ARGUMENT, {"point"});
+  const float farAway[3] = {0.0f, 3e38f, 0.0f};
+  expectFailure(awdGetPointPatch(scene_, farAway, &patch), AWD_ERROR_INVALID_ARGUMENT,
+                {"point", "1e18"});
 }
 
 /// Embree would end the program.

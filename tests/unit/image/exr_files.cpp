@@ -152,6 +152,37 @@ void writeParts(const std::string& path, const FileKind& kind) {
   }
 }
 
+void writeTwoParts(const std::string& path, const char* const names[2][2]) {
+  Imf::Header headers[2];
+  for (int part = 0; part < 2; ++part) {
+    headers[part] = headerOf({Imf::ZIP_COMPRESSION, Imf::FLOAT, Imf::INCREASING_Y, 0, 0, 1, 1});
+    headers[part].setName(names[part][0]);
+    headers[part].setType(Imf::SCANLINEIMAGE);
+    headers[part].channels().insert(names[part][1], Imf::Channel(Imf::FLOAT));
+  }
+  Imf::MultiPartOutputFile file(path.c_str(), headers, 2);
+  for (int part = 0; part < 2; ++part) {
+    float pixel = 0.5f;
+    Imf::FrameBuffer frame;
+    frame.insert(names[part][1], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixel), 4, 4));
+    Imf::OutputPart output(file, part);
+    output.setFrameBuffer(frame);
+    output.writePixels(1);
+  }
+}
+
+void writeSubsampled(const std::string& path, int size) {
+  Imf::Header header(size, size);
+  header.compression() = Imf::DWAB_COMPRESSION;
+  header.channels().insert("Y", Imf::Channel(Imf::FLOAT, size, size));
+  float pixel = 0.5f;
+  Imf::FrameBuffer frame;
+  frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixel), 4, 4, size, size));
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(frame);
+  file.writePixels(size);
+}
+
 void writeLumaChroma(const std::string& path, const FileKind& kind, bool alpha) {
   std::vector<Imf::Rgba> pixels;
   for (int y = 0; y < kind.height; ++y) {

@@ -32,6 +32,10 @@ void writeTiles(const std::string& path, const FileKind& kind, Imf::LevelMode mo
 /// Three parts of channel Y: "first" scanlines (channel 0), "second" tiles (1), and "third"
 /// scanlines of half the width and height, 5 pixels right of and below the first's corner (2).
 void writeParts(const std::string& path, const FileKind& kind);
+/// Two parts of one channel and one pixel each, by the names of part and channel.
+void writeTwoParts(const std::string& path, const char* const names[2][2]);
+/// Of so many pixels along both axes one is there.
+void writeSubsampled(const std::string& path, int size);
 /// RGB as luminance and chroma.
 void writeLumaChroma(const std::string& path, const FileKind& kind, bool alpha);
 

@@ -131,6 +131,21 @@ TEST_F(ExrRead, PartsKeepTheirNamesAndPlaces) {
   }
 }
 
+/// The second part's channel R of part "a.b" is not the first's channel "b.R" of part "a".
+TEST_F(ExrRead, RefusesTwoChannelsOfOneName) {
+  const char* const names[2][2] = {{"first", "a.b.R"}, {"a.b", "R"}};
+  test::writeTwoParts(path(), names);
+  EXPECT_CONTAINS(test::errorOf(AWD_ERROR_UNSUPPORTED, [&] { read(); }), "a.b.R");
+}
+
+/// In memory its one pixel would take 17 GB.
+TEST_F(ExrRead, RefusesWhatIsOutOfAllProportion) {
+  test::writeSubsampled(path(), 65536);
+  test::errorOf(AWD_ERROR_IO, [&] { read(); });
+  test::writeSubsampled(path(), 64);
+  EXPECT_EQ(read()->channels().size(), 1u);
+}
+
 TEST_F(ExrRead, LuminanceAndChromaAsOpenExrDoes) {
   for (const bool alpha : {false, true}) {
     FileKind kind;
