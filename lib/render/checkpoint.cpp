@@ -191,6 +191,7 @@ Ref<Render> Render::load(Ref<Context> context, Ref<Geometry> geometry, const voi
     if (error.code() != AWD_ERROR_INVALID_ARGUMENT) throw;
     fail(AWD_ERROR_IO, "a checkpoint is damaged: of what it holds %s", error.what());
   }
+  render->limitField();
   render->experienced_ = experienced;
   render->statistics_ = std::move(statistics);
   render->film_.get(reader);

@@ -62,6 +62,7 @@ Ref<Render> Render::make(Ref<Context> context, Ref<Geometry> geometry, Ref<Field
     const double brightest = render->geometry_->lights().brightest();
     if (brightest > 0.0 && std::isfinite(brightest)) learner->setScale(brightest);
   }
+  render->limitField();
   return render;
 }
 
@@ -81,18 +82,25 @@ Render::Render(Ref<Context> context, Ref<Geometry> geometry, Ref<Field> field,
       expected_(context_->memory()),
       statistics_(context_->memory()) {
   if (desc.maxBytes > 0) {
-    const std::size_t pixels = std::size_t{camera_.width()} * camera_.height();
-    const uint64_t film = film_.bytes() + PassFilm::bytesFor(pixels);
+    const uint64_t film = bytesOfFilms();
     if (film > desc.maxBytes) {
       fail(AWD_ERROR_INVALID_ARGUMENT,
            "desc->maxBytes is %llu: an image of %u x %u takes %llu bytes by itself",
            static_cast<unsigned long long>(desc.maxBytes), camera_.width(), camera_.height(),
            static_cast<unsigned long long>(film));
     }
-    if (field_) field_->limitBytes(desc.maxBytes - film);
   }
   desc_.camera = &view_;
   stepAside(false);
+}
+
+uint64_t Render::bytesOfFilms() const {
+  const std::size_t pixels = std::size_t{camera_.width()} * camera_.height();
+  return film_.bytes() + PassFilm::bytesFor(pixels);
+}
+
+void Render::limitField() {
+  if (field_ && desc_.maxBytes > 0) field_->limitBytes(desc_.maxBytes - bytesOfFilms());
 }
 
 void Render::destroy() noexcept {

@@ -100,6 +100,10 @@ class Render final : public RefCounted {
   /// More samples per pixel, at most, until the film's error is below; 0: it is.
   uint32_t samplesToReach(double error) const;
 
+  /// Of all passes, and of the one that is rendered.
+  uint64_t bytesOfFilms() const;
+  /// Leaves the field what desc.maxBytes leaves beside the films. Can't fail, and so comes last.
+  void limitField();
   /// Settles what the next pass goes by, and all that may fail in finish().
   void prepare();
   /// The tiles of one of so many parts; what was recorded is forgotten if it throws.
