@@ -9,6 +9,7 @@
 #include "camera_file.h"
 #include "console.h"
 #include "failure.h"
+#include "regular_file.h"
 
 namespace command {
 namespace {
@@ -52,7 +53,7 @@ AWDCamera chooseCamera(const std::optional<std::string>& cameraFile, const std::
   if (cameraFile) return readCameraFile(*cameraFile);
   const std::filesystem::path beside =
       std::filesystem::path(scenePath).replace_extension("camera.json");
-  if (std::filesystem::exists(beside)) return readCameraFile(beside.string());
+  if (isRegularFile(beside)) return readCameraFile(beside.string());
   if (scene.camera) return *scene.camera;
   note(scenePath + ": there is no camera, nor a file " + inQuotes(beside.string()) +
        ": a view of the whole scene is taken");

@@ -20,6 +20,7 @@ namespace command {
 namespace {
 
 constexpr char kBlanks[] = " \t\r\v\f";
+constexpr std::string_view kMark = "\xEF\xBB\xBF";  // of UTF-8
 
 /// Lines of a file, joined where one ends in a backslash.
 class Lines {
@@ -32,6 +33,10 @@ class Lines {
     text_.clear();
     for (std::string part; std::getline(file_, part);) {
       ++number_;
+      if (number_ == 1 && part.compare(0, kMark.size(), kMark) == 0) {
+        part.erase(0, kMark.size());
+        marked_ = true;
+      }
       while (!part.empty() && part.back() == '\r') part.pop_back();
       const bool goesOn = !part.empty() && part.back() == '\\';
       if (goesOn) part.back() = ' ';
@@ -40,14 +45,25 @@ class Lines {
     }
     if (file_.eof() && text_.empty()) return false;
     rest_ = text_;
+    commented_ = false;
     return true;
   }
+
+  /// Whether blanks stand before the first word of the line.
+  bool isIndented() const { return !text_.empty() && text_.find_first_of(kBlanks) == 0; }
+  /// Whether word() has met a comment on the line.
+  bool isCommented() const { return commented_; }
+  /// Whether the file begins with a byte order mark, which is passed over.
+  bool isMarked() const { return marked_; }
 
   /// The next word of the line; empty at its end or at a comment.
   std::string_view word() {
     const std::size_t begin = std::min(rest_.find_first_not_of(kBlanks), rest_.size());
     rest_.remove_prefix(begin);
-    if (!rest_.empty() && rest_.front() == '#') rest_ = {};
+    if (!rest_.empty() && rest_.front() == '#') {
+      commented_ = true;
+      rest_ = {};
+    }
     const std::size_t end = std::min(rest_.find_first_of(kBlanks), rest_.size());
     const std::string_view found = rest_.substr(0, end);
     rest_.remove_prefix(end);
@@ -73,6 +89,7 @@ class Lines {
   std::string text_;
   std::string_view rest_;
   std::size_t number_ = 0;
+  bool commented_ = false, marked_ = false;
 };
 
 /// A word of the line as a number that a float can hold.
@@ -205,7 +222,51 @@ class ObjText {
   std::size_t highestLine_ = 0;
 };
 
+/// Keys that numbers follow, and no name that might have a # in it.
+bool hasNumbers(std::string_view key) {
+  for (const char* known : {"v", "vn", "vt", "vp", "f", "l", "p"}) {
+    if (key == known) return true;
+  }
+  return false;
+}
+
+/// Whether Assimp would misread the file: it takes no line that is indented, and comments after
+/// numbers for more of them.
+bool isMisread(const std::string& path) {
+  Lines lines(path);
+  while (lines.next()) {
+    if (lines.isMarked()) return true;
+    const std::string_view key = lines.word();
+    if (key.empty()) continue;
+    if (lines.isIndented()) return true;
+    if (!hasNumbers(key)) continue;
+    while (!lines.word().empty()) {
+    }
+    if (lines.isCommented()) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::optional<std::string> plainObjText(const std::string& path) {
+  if (!isMisread(path)) return std::nullopt;
+  Lines lines(path);
+  std::string text;
+  while (lines.next()) {
+    const std::string_view key = lines.word();
+    text += key;
+    if (hasNumbers(key)) {
+      for (std::string_view word = lines.word(); !word.empty(); word = lines.word()) {
+        text.append(" ").append(word);
+      }
+    } else if (!key.empty()) {
+      text += ' ' + lines.remainder();
+    }
+    text += '\n';
+  }
+  return text;
+}
 
 std::map<std::string, Material> readObjText(const std::string& path) { return ObjText(path).run(); }
 

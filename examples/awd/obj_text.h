@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "scene_data.h"
@@ -16,6 +17,11 @@ namespace command {
 /// numbers, faces of fewer than three vertices, indices out of range. Warns of libraries that
 /// can't be read and of textures, which are ignored.
 std::map<std::string, Material> readObjText(const std::string& path);
+
+/// The text of an OBJ file that Assimp would misread, as it reads it right: without a byte order
+/// mark, blanks before the lines, and comments after numbers. Nothing of a file that it reads
+/// right.
+std::optional<std::string> plainObjText(const std::string& path);
 
 /// What a mesh without a defined material has: grey of albedo 0.6, which does not emit.
 Material undefinedMaterial(const std::string& name);

@@ -35,7 +35,7 @@ bool ProgressBar::operator()(const AWDProgress& progress) {
       showStatus(text);
     }
   }
-  return !wasInterrupted();
+  return finishing_ || !wasInterrupted();
 }
 
 }  // namespace command

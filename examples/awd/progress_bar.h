@@ -15,6 +15,10 @@ class ProgressBar {
   /// passes: how many there will be; 0: not known.
   void setPassCount(std::size_t passes) { passes_ = passes; }
 
+  /// From now on Ctrl-C cancels nothing more: what was rendered is to be written. (A second one
+  /// ends the program.)
+  void letFinish() { finishing_ = true; }
+
   /// For awd::DeviceDesc::setProgress().
   bool operator()(const AWDProgress& progress);
 
@@ -24,6 +28,7 @@ class ProgressBar {
  private:
   std::size_t passes_ = 0, pass_ = 0;
   double lastFraction_ = 1.0;
+  bool finishing_ = false;
   std::chrono::steady_clock::time_point shown_{};
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 #include "camera_choice.h"
 #include "commands.h"
@@ -25,11 +27,23 @@ using nlohmann::json;
 
 /// Every file that the run will write, looked at before an hour of work goes into them.
 void checkOutputs(const RenderOptions& options) {
-  checkWritable(options.output);
-  if (options.json) checkWritable(*options.json);
-  if (options.fieldOut) checkWritable(*options.fieldOut);
-  if (options.checkpoint) checkWritable(*options.checkpoint);
-  for (const PdfRequest& pdf : options.pdfs) checkWritable(pdf.file());
+  std::vector<NamedFile> outputs = {{"--output", options.output}};
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.fieldOut) outputs.push_back({"--save-field", *options.fieldOut});
+  if (options.checkpoint) outputs.push_back({"--checkpoint", *options.checkpoint});
+  for (const PdfRequest& pdf : options.pdfs) outputs.push_back({"--pdf", pdf.file()});
+  for (const NamedFile& output : outputs) checkWritable(output.path);
+
+  std::vector<NamedFile> inputs = {{"the scene", options.scene}};
+  if (options.camera) inputs.push_back({"--camera", *options.camera});
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (const NamedFile& input : inputs) checkApart(outputs[i], input);
+    for (std::size_t k = i + 1; k < outputs.size(); ++k) checkApart(outputs[i], outputs[k]);
+    // A field may be taken further in its own file.
+    if (options.fieldIn && outputs[i].what != std::string("--save-field")) {
+      checkApart(outputs[i], {"--field", *options.fieldIn});
+    }
+  }
 }
 
 /// None unless the render is adaptive. scene: empty before it is loaded.
@@ -46,6 +60,11 @@ awd::Field makeField(const awd::Device& device, const RenderOptions& options,
   return scene ? awd::Field::create(scene, desc) : awd::Field::create(device, desc);
 }
 
+/// Of MiB; at least 1, since 0 is no limit.
+uint64_t bytesOf(double mebibytes) {
+  return static_cast<uint64_t>(std::clamp(std::ceil(mebibytes * 1048576.0), 1.0, 0x1p62));
+}
+
 /// From the checkpoint if there is one; `field` is then that of the render.
 awd::Render makeRender(const awd::Scene& scene, awd::Field& field, const AWDCamera& camera,
                        const RenderOptions& options) {
@@ -57,7 +76,7 @@ awd::Render makeRender(const awd::Scene& scene, awd::Field& field, const AWDCame
   desc.direct = options.directValue();
   desc.lights = options.lightsValue();
   desc.maxSplit = options.maxSplit;
-  desc.maxBytes = static_cast<uint64_t>(options.memory.value_or(0.0) * 1048576.0);
+  desc.maxBytes = options.memory ? bytesOf(*options.memory) : 0;
   desc.seed = options.seed;
   if (!options.checkpoint || !std::filesystem::exists(*options.checkpoint)) {
     return awd::Render::create(scene, desc, field);
@@ -142,7 +161,7 @@ void writeStatistics(awd::Render& render, awd::Field& field, const AWDCamera& ca
       {"height", camera.height},
       {"guide", options.guide},
       {"basis", basisName(field)},
-      {"estimator", field ? json(options.estimator) : json()},
+      {"estimator", field && !options.fieldIn ? json(options.estimator) : json()},
       {"refit_solver", options.refitSolver ? json(*options.refitSolver) : json()},
       {"preset", options.preset},
       {"quality", options.quality ? json(*options.quality) : json()},
@@ -152,22 +171,55 @@ void writeStatistics(awd::Render& render, awd::Field& field, const AWDCamera& ca
   writeFile(*options.json, toText(statistics));
 }
 
-/// Where time or samples ran out before the film was as good as its quality promises.
+/// Where time or samples ran out before the film was as good as was asked for.
 void tellBrokenPromise(awd::Render& render, const RenderOptions& options) {
+  std::ostringstream promise;
+  if (options.quality) {
+    promise << "--quality " << *options.quality;
+  } else {
+    promise << "--error " << options.schedule.error;
+  }
   const uint64_t count = render.filmInfo().samplesPerPixel;
   const std::string samples = std::to_string(count) + " samples a pixel";
   if (count < 2) {
-    warn("--quality " + *options.quality + " is not reached: of " + samples +
-         " no error can be told");
+    warn(promise.str() + " is not reached: of " + samples + " no error can be told");
     return;
   }
   const AWDRenderError error = render.error();
   if (error.upper <= options.schedule.error) return;
   std::ostringstream text;
-  text << "--quality " << *options.quality << " is not reached: after " << samples
-       << " the error may be " << error.upper << " of the mean radiance, not "
-       << options.schedule.error;
+  text << promise.str() << " is not reached: after " << samples << " the error may be "
+       << error.upper << " of the mean radiance, not " << options.schedule.error;
   warn(text.str());
+}
+
+/// Whether it was done; else says why, so that others can be done after it.
+template <class Operation>
+bool attempt(Operation&& operation) {
+  try {
+    operation();
+    return true;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return false;
+}
+
+/// Each output for itself: a disk that is full for one may have room for another.
+bool writeAll(awd::Render& render, awd::Field& field, const AWDCamera& camera,
+              const RenderOptions& options, const std::string& commandLine) {
+  bool all = attempt([&] { writeImage(render, options, commandLine); });
+  for (const PdfRequest& pdf : options.pdfs) all &= attempt([&] { pdf.write(render, field); });
+  if (options.json) all &= attempt([&] { writeStatistics(render, field, camera, options); });
+  if (options.fieldOut) {
+    all &= attempt([&] {
+      field.adapt();
+      field.write(*options.fieldOut);
+    });
+  }
+  return all;
 }
 
 int render(RenderOptions& options, const std::string& commandLine) {
@@ -192,23 +244,22 @@ int render(RenderOptions& options, const std::string& commandLine) {
   awd::Render render = makeRender(scene, field, camera, options);
   for (PdfRequest& pdf : options.pdfs)
     pdf.resolve(scene, render, options.presetValue() != AWD_PRESET_PAPER);
-  const bool complete = finished(options.scene, [&] { renderPasses(render, options); });
+  const uint32_t before = render.passCount();
+  bool complete = false;
+  const bool sound =
+      attempt([&] { complete = finished(options.scene, [&] { renderPasses(render, options); }); });
+  bar.letFinish();
   clearStatus();
   if (!complete) {
     const uint32_t passes = render.passCount();
-    complain(passes == 0
-                 ? "interrupted before the first pass had ended: nothing is written"
-                 : "interrupted: only finished passes are written, " + std::to_string(passes));
+    if (!sound && passes == before) return kFailed;
+    complain(passes == 0 ? "interrupted before the first pass had ended: nothing is written"
+                         : std::string(sound ? "interrupted" : "failed") +
+                               ": only finished passes are written, " + std::to_string(passes));
     if (passes == 0) return kInterrupted;
   }
-  if (complete && options.quality) tellBrokenPromise(render, options);
-  writeImage(render, options, commandLine);
-  for (const PdfRequest& pdf : options.pdfs) pdf.write(render, field);
-  if (options.json) writeStatistics(render, field, camera, options);
-  if (options.fieldOut) {
-    field.adapt();
-    field.write(*options.fieldOut);
-  }
+  if (complete && options.schedule.error > 0.0) tellBrokenPromise(render, options);
+  if (!writeAll(render, field, camera, options, commandLine) || !sound) return kFailed;
   return complete ? kDone : kInterrupted;
 }
 

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "failure.h"
@@ -17,6 +19,26 @@ const std::vector<std::string> kEstimators = {"default", "paper", "mixture", "ra
 
 /// In the order of AWD_QUALITY_..., which begin with 1.
 const std::vector<std::string> kQualities = {"draft", "normal", "fine", "reference"};
+
+/// CLI::PositiveNumber takes NaN.
+const CLI::Validator kPositive(
+    [](const std::string& text) {
+      double number = 0.0;
+      const bool good =
+          CLI::detail::lexical_cast(text, number) && number > 0.0 && std::isfinite(number);
+      return good ? std::string() : text + " is not a positive number";
+    },
+    "POSITIVE");
+
+/// Of 64 bits; CLI11 would take what is more for the largest.
+const CLI::Validator kSeed(
+    [](const std::string& text) {
+      uint64_t number = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+      const bool good = error == std::errc() && end == text.data() + text.size();
+      return good ? std::string() : text + " is not a whole number from 0 to 2^64 - 1";
+    },
+    "SEED");
 
 awd::Schedule scheduleOf(const std::string& quality) {
   const auto found = std::find(kQualities.begin(), kQualities.end(), quality);
@@ -61,12 +83,12 @@ void RenderOptions::describe(CLI::App& command) {
   command
       .add_option("--seconds", seconds,
                   "As many samples as there is time for, divided by the library")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command
       .add_option("--error", error,
                   "As many samples as it takes until the root mean square error is at\n"
                   "most this share of the mean radiance, 95 times of 100")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command
       .add_option("--quality", quality,
                   "draft, normal, fine or reference: --error 0.5, 0.25, 0.1 or 0.05, with\n"
@@ -74,10 +96,10 @@ void RenderOptions::describe(CLI::App& command) {
                   "are not enough")
       ->check(CLI::IsMember(kQualities));
   command.add_option("--memory", memory, "MiB that film and field may take together")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command.add_option("--seed", seed, "Another seed, another noise")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(kSeed);
   command.add_option("--threads", device.threads, "0: all that there are")
       ->check(CLI::Range(0, 65536));
   command.add_option("--points", points, "What paths are drawn from")
@@ -142,6 +164,12 @@ void RenderOptions::finish() {
   }
   if ((fieldIn || fieldOut) && !isAdaptive()) {
     throw UsageError(std::string(fieldIn ? "--field" : "--save-field") +
+                     " is of adaptive densities: there are none with --guide " + guide);
+  }
+  if (!isAdaptive() && (basis || level || estimator != "default")) {
+    throw UsageError(std::string(basis   ? "--basis"
+                                 : level ? "--level"
+                                         : "--estimator") +
                      " is of adaptive densities: there are none with --guide " + guide);
   }
   if (fieldIn && (basis || level || estimator != "default")) {

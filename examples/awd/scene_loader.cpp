@@ -12,6 +12,8 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <set>
 
 #include "console.h"
@@ -136,7 +138,14 @@ const aiScene& read(Assimp::Importer& importer, const std::string& path) {
 SceneData loadObj(const std::string& path) {
   const std::map<std::string, Material> defined = readObjText(path);
   Assimp::Importer importer;
-  importer.SetIOHandler(new RegularFiles);  // which then belongs to it
+  std::optional<std::string> text = plainObjText(path);
+  std::unique_ptr<RegularFiles> files;
+  if (text) {
+    files = std::make_unique<OverlaidFiles>(path, std::move(*text));
+  } else {
+    files = std::make_unique<RegularFiles>();
+  }
+  importer.SetIOHandler(files.release());  // which then belongs to it
   const aiScene& scene = read(importer, path);
   SceneData data;
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "failure.h"
 
@@ -64,6 +66,9 @@ class Temporary {
 }  // namespace
 
 void checkWritable(const std::string& path) {
+  if (path.empty() || path.back() == '/') {
+    throw Failure("can't write " + inQuotes(path) + ": that is no name of a file");
+  }
   struct stat status;
   // Renaming into a device such as /dev/null would replace it.
   if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
@@ -72,8 +77,25 @@ void checkWritable(const std::string& path) {
   Temporary probe(path);
 }
 
+void checkApart(const NamedFile& one, const NamedFile& other) {
+  std::error_code error;
+  const auto place = [&](const std::string& path) {
+    const std::filesystem::path known =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    return error ? std::filesystem::path(path) : known;
+  };
+  if (place(one.path) != place(other.path) &&
+      !std::filesystem::equivalent(one.path, other.path, error)) {
+    return;
+  }
+  throw UsageError(std::string(one.what) + " and " + other.what + " are one file, " +
+                   inQuotes(one.path));
+}
+
 void writeFile(const std::string& path, const std::string& text) {
-  Temporary file(path);
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::canonical(path, error);
+  Temporary file(error ? path : target.string());  // what a link leads to, not the link
   file.write(text);
   file.rename();
 }

@@ -10,7 +10,17 @@ namespace command {
 /// file has that name. Meant for before the work: writing may still fail after it.
 void checkWritable(const std::string& path);
 
-/// Writes beside `path`, then renames into it. Throws a Failure that names the path.
+/// A file, and what the user has called it for.
+struct NamedFile {
+  const char* what;
+  std::string path;
+};
+
+/// Throws a UsageError if both are one file, by whatever path.
+void checkApart(const NamedFile& one, const NamedFile& other);
+
+/// Writes beside `path`, or beside what it leads to if it is a link, then renames into it. Throws a
+/// Failure that names the path.
 void writeFile(const std::string& path, const std::string& text);
 
 }  // namespace command

@@ -2,6 +2,7 @@
  *
  * mpi-render: one film and one field by many processes, with the bits of one process.
  */
+#include <errno.h>
 #include <mpi.h>
 #include <signal.h>
 #include <stdio.h>
@@ -36,7 +37,7 @@ static int hasCheckpoint(const Job* job) {
   int there = 0;
   if (job->rank == 0) {
     FILE* file = fopen(job->checkpoint, "rb");
-    there = file != NULL;
+    there = file != NULL || errno != ENOENT; /* one that can't be opened is not to be overwritten */
     if (file) fclose(file);
   }
   MPI_Bcast(&there, 1, MPI_INT, 0, MPI_COMM_WORLD);

@@ -2,6 +2,7 @@
  *
  * resume: a render that may end at any time, and goes on from its checkpoint.
  */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -15,10 +16,11 @@ typedef struct Options {
   uint32_t passes;  /* that are rendered before the program ends; 0: all */
 } Options;
 
+/* One that can't be opened is there as well: it must not be overwritten. */
 static int isThere(const char* path) {
   FILE* file = fopen(path, "rb");
   if (file) fclose(file);
-  return file != NULL;
+  return file != NULL || errno != ENOENT;
 }
 
 /* From the checkpoint, or from the beginning. */

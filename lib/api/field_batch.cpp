@@ -52,7 +52,7 @@ AWDResult AWD_CALL awdFindPatches(AWDField field, size_t count, const float* pos
       unitVector(normals + 3 * i, "normals");
     });
     for (size_t i = 0; i < count; ++i) {
-      patches[i] = known.findPatch(load(positions + 3 * i), load(normals + 3 * i));
+      patches[i] = known.findPatch(load(positions + 3 * i), unitVector(normals + 3 * i, "normals"));
     }
   });
 }
@@ -69,7 +69,8 @@ AWDResult AWD_CALL awdSampleFieldBatch(AWDField field, size_t count, const uint3
       unitVector(normals + 3 * i, "normals");
     });
     for (size_t i = 0; i < count; ++i) {
-      samples[i] = known.sample(patches[i], load(normals + 3 * i), uniforms + 3 * i);
+      samples[i] =
+          known.sample(patches[i], unitVector(normals + 3 * i, "normals"), uniforms + 3 * i);
     }
   });
 }
@@ -86,7 +87,8 @@ AWDResult AWD_CALL awdGetFieldPdfs(AWDField field, size_t count, const uint32_t*
       unitVector(directions + 3 * i, "directions");
     });
     for (size_t i = 0; i < count; ++i) {
-      pdfs[i] = known.pdf(patches[i], load(normals + 3 * i), load(directions + 3 * i));
+      pdfs[i] = known.pdf(patches[i], unitVector(normals + 3 * i, "normals"),
+                          unitVector(directions + 3 * i, "directions"));
     }
   });
 }

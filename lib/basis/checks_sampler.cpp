@@ -81,6 +81,7 @@ class Distribution {
   }
 
   double operator()(double place) const {
+    if (!(place >= 0.0)) place = 0.0;  // NaN too
     const auto last = static_cast<double>(pieces_.size() - 1);
     const double cell = std::clamp(std::floor(place), 0.0, last);
     const Piece& piece = pieces_[static_cast<std::size_t>(cell)];
@@ -147,7 +148,7 @@ void checkDistribution(const TestedLevel& level, Check& check) {
     Points points(level.table->sampleDims);
     for (uint32_t s = 0; s < samples; ++s) {
       const double x = level.table->sample(level.level, j, points.next().data());
-      const double f = distribution(placeIn(level, range, x));
+      const double f = std::min(distribution(placeIn(level, range, x)), 1.0);
       ++bins[f >= 0.0 ? std::min<uint32_t>(static_cast<uint32_t>(f * kBins), kBins - 1) : 0];
     }
     uint32_t sum = 0;

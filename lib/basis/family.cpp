@@ -13,8 +13,45 @@ namespace awd {
 
 namespace {
 
+/// Far more than rounding, and far less than a mistake.
+constexpr double kRounding = 1e-6;
+/// Of a function that is at most 1 the Bernstein coefficients of order 8 stay below this.
+constexpr double kLargest = 1e4;
+
 /// Rounding that stands where a 0 should be, to either side of it, goes.
 double cleaned(double value, double rounding) { return value <= rounding ? 0.0 : value; }
+
+/// The self-test looks at some cells of a large level; this is what must be true of all.
+void checkCell(const TableLevel& from, uint32_t c, const CellPieces& cell) {
+  if (cell.size == 0) {
+    fail(AWD_ERROR_PLUGIN_SELF_TEST, "level %u has no function on cell %u", from.level, c);
+  }
+  for (uint32_t a = 0; a < cell.size; ++a) {
+    for (uint32_t k = 0; k < from.table->order; ++k) {
+      const double b = cell.b[a][k];
+      if (b >= -kRounding && b <= kLargest) continue;
+      fail(AWD_ERROR_PLUGIN_SELF_TEST,
+           "level %u, function %u, cell %u: a Bernstein coefficient is %g", from.level,
+           cell.functions[a], c, b);
+    }
+  }
+}
+
+/// Likewise of weights.
+void checkWeights(const BasisLevel& level) {
+  for (uint32_t j = 0; j < level.count; ++j) {
+    double mass = 0.0;
+    for (uint32_t i = level.componentBegin[j]; i < level.componentBegin[j + 1]; ++i) {
+      const BasisLevel::Piece& piece = level.componentPieces[i];
+      const double* b =
+          &level.pieces[(std::size_t{piece.cell} * level.alive + piece.row) * level.order];
+      mass += std::accumulate(b, b + level.order, 0.0) / level.order / level.cells;
+    }
+    if (std::abs(level.weights[j] - mass) <= kRounding * (mass + 1.0 / level.cells)) continue;
+    fail(AWD_ERROR_PLUGIN_SELF_TEST, "level %u, function %u: its weight is %g, its integral %g",
+         level.level, j, level.weights[j], mass);
+  }
+}
 
 /// Every cell's functions and polynomials. Cells are fitted twice, first to see how many functions
 /// are alive: keeping them would take more memory than the tables.
@@ -28,6 +65,7 @@ void compilePieces(const TableLevel& from, BasisLevel& to) {
   to.pieces.resize(rows * to.order);
   for (uint32_t c = 0; c < to.cells; ++c) {
     const CellPieces cell = fitCell(from, c, fit);
+    checkCell(from, c, cell);
     for (uint32_t a = 0; a < to.alive; ++a) {
       const std::size_t row = std::size_t{c} * to.alive + a;
       const bool filled = a < cell.size;
@@ -56,7 +94,7 @@ void compileComponents(BasisLevel& to) {
   std::pmr::vector<uint32_t> next(to.componentBegin, to.componentBegin.get_allocator());
   for (std::size_t row = 0; row < rows; ++row) {
     const double mass = massOf(row);
-    if (mass <= 0.0) continue;
+    if (!(mass > 0.0)) continue;
     const uint32_t j = to.functions[row];
     const uint32_t at = next[j]++;
     const double before = at > to.componentBegin[j] ? to.componentPieces[at - 1].cumulative : 0.0;
@@ -173,6 +211,7 @@ Family::Family(std::pmr::memory_resource* memory, const AWDBasisFamily& table, u
     compilePieces(from, to);
     for (uint32_t j = 0; j < to.count; ++j) to.weights.push_back(table.weight(l, j));
     compileComponents(to);
+    checkWeights(to);
     if (l < last) compileTwoScale(from, to);
   }
   if (nested()) compileSplit(table, levels_.front(), split_);

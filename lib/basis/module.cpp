@@ -4,9 +4,9 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cstddef>
 #include <cstring>
+#include <exception>
 
 #include "util/error.h"
 
@@ -41,18 +41,19 @@ void checkSize(const char* what, const void* table, std::size_t size, std::size_
   }
 }
 
-/// Keeps rounding and the treatment of denormals as they are: what is compiled with -ffast-math
-/// changes them for the thread that loads it.
-class FloatingPointKept {
- public:
-  FloatingPointKept() { std::fegetenv(&environment_); }
-  ~FloatingPointKept() { std::fesetenv(&environment_); }
-  FloatingPointKept(const FloatingPointKept&) = delete;
-  FloatingPointKept& operator=(const FloatingPointKept&) = delete;
-
- private:
-  std::fenv_t environment_{};
-};
+/// What the module's entry returns. An exception of its own must not outlive the module's code.
+const AWDBasisModule* askForTable(AWDBasisModuleFn entry) {
+  const AWDBasisHost host = {sizeof(AWDBasisHost), AWD_BASIS_ABI, AWD_VERSION};
+  std::string what;
+  try {
+    return entry(&host);
+  } catch (const std::exception& error) {
+    what = std::string(": ") + error.what();
+  } catch (...) {
+  }
+  fail(AWD_ERROR_PLUGIN_LOAD, "its entry point throws an exception%s",
+       printable(what.c_str(), kLongestSummary).c_str());
+}
 
 [[noreturn]] void refuseAbi(uint32_t abi) {
   fail(AWD_ERROR_PLUGIN_ABI,
@@ -122,8 +123,7 @@ Module::Module(const char* absolutePath) {
   try {
     const auto entry = reinterpret_cast<AWDBasisModuleFn>(dlsym(handle_, kEntry));
     if (!entry) refuseStranger(handle_);
-    const AWDBasisHost host = {sizeof(AWDBasisHost), AWD_BASIS_ABI, AWD_VERSION};
-    table_ = entry(&host);
+    table_ = askForTable(entry);
     checkModule(table_);
   } catch (...) {
     dlclose(handle_);

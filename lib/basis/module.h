@@ -2,6 +2,7 @@
 // One file of basis families, opened and asked for its table.
 #pragma once
 
+#include <cfenv>
 #include <string>
 
 #include "awd/basis.h"
@@ -21,6 +22,19 @@ constexpr std::size_t kLongestName = 64, kLongestSummary = 200;
 /// A plugin's text as it can be shown: cut where no valid one goes on, and on one line. "" for
 /// NULL.
 std::string printable(const char* text, std::size_t longest);
+
+/// Keeps rounding and the treatment of denormals as they are: what is compiled with -ffast-math
+/// changes them for the thread that loads it.
+class FloatingPointKept {
+ public:
+  FloatingPointKept() { std::fegetenv(&environment_); }
+  ~FloatingPointKept() { std::fesetenv(&environment_); }
+  FloatingPointKept(const FloatingPointKept&) = delete;
+  FloatingPointKept& operator=(const FloatingPointKept&) = delete;
+
+ private:
+  std::fenv_t environment_{};
+};
 
 class Module {
  public:

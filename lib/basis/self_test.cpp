@@ -120,7 +120,8 @@ std::vector<Check> selfTest(const AWDBasisFamily& family, bool toTheEnd) {
     } catch (const Error& error) {
       check.broken(error.what());
     } catch (const std::bad_alloc&) {
-      throw;
+      throw std::bad_alloc();  // not one of the module's own, which may be closed before it is
+                               // caught
     } catch (const std::exception& error) {
       check.broken(std::string("a function of the table throws an exception: ") + error.what());
     } catch (...) {

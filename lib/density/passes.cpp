@@ -61,7 +61,8 @@ Passes::LastPass Passes::lastPass(const PassSums& present) const {
 
 Estimate Passes::byCrossVariance(const PassSums& present) const {
   const LastPass last = present.samples > 0 ? lastPass(present) : last_;
-  const long double squaredMean = last.mean * last.mean;
+  // Of a single sample the square stands for the variance, as above.
+  const long double squaredMean = last.samples > 1 ? last.mean * last.mean : 0.0L;
   Estimate all;
   long double weights = 0.0L, sum = 0.0L, errors = 0.0L;
   for (std::size_t k = 0; k < last.secondMoments.size(); ++k) {

@@ -37,6 +37,7 @@ bool usable(const AWDRefitModule* module) {
 const AWDRefitModule* open(const std::string& file, std::string& why) {
   why = distrust(file);
   if (!why.empty()) return nullptr;
+  const FloatingPointKept floatingPointKept;
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle) {
     why = dlerror();

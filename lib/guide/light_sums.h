@@ -42,7 +42,8 @@ class LightSums : public FixedSums {
   }
   /// The sum of the squares of a light's values.
   double squares(uint32_t light) const {
-    return std::ldexp(static_cast<double>(cells_[light].sum.load(kOrder)), 2 * unitExponent());
+    const int64_t sum = std::max<int64_t>(cells_[light].sum.load(kOrder), 0);  // forged, if less
+    return std::ldexp(static_cast<double>(sum), 2 * unitExponent());
   }
   /// A magnitude to set the next pass's unit by; 0 where there was no light.
   double magnitude() const;

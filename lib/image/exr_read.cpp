@@ -148,21 +148,28 @@ class Reader {
   /// An image has all of its channels at its full size, however few pixels a part has of them.
   void checkRoom(const Imf::MultiPartInputFile& file) const {
     const double pixels = static_cast<double>(widthOf(window_)) * heightOf(window_);
-    double wanted = 0.0, possible = 0.0;
+    double wanted = 0.0, apart = 0.0, possible = 0.0;
     for (int part = 0; part < file.parts(); ++part) {
       const Imf::Header& header = file.header(part);
       const Imf::ChannelList& channels = header.channels();
-      for (auto i = channels.begin(); i != channels.end(); ++i) wanted += pixels;
+      double count = 0.0;
+      for (auto i = channels.begin(); i != channels.end(); ++i) ++count;
+      wanted += count * pixels;
+      // A part of another window is read into planes of its own first.
+      const Box2i window = header.dataWindow();
+      if (window != window_) {
+        apart = std::max(apart, count * static_cast<double>(widthOf(window)) * heightOf(window));
+      }
       possible = std::max(possible, largestExrRatio(header.compression()));
     }
-    if (wanted * sizeof(float) <=
+    if ((wanted + apart) * sizeof(float) <=
         kRoomOfAnyFile + 2 * possible * static_cast<double>(bytes_.size())) {
       return;
     }
     fail(AWD_ERROR_UNSUPPORTED,
          "can't read \"%s\": its channels would take %.0f bytes, out of all proportion to the "
          "file's %zu",
-         path_, wanted * sizeof(float), bytes_.size());
+         path_, (wanted + apart) * sizeof(float), bytes_.size());
   }
 
   bool isLumaChroma(const Imf::Header& header) const {

@@ -56,7 +56,7 @@ class AtomicStream final : public Imf::OStream {
 };
 
 /// OpenEXR would cut it off, and take two that begin alike for one.
-void checkName(std::string_view name, const char* path) {
+void checkLength(std::string_view name, const char* path) {
   constexpr std::size_t kLongest = 255;
   if (name.size() <= kLongest) return;
   fail(
@@ -95,8 +95,8 @@ void writeExr(const Image& image, const char* path) {
     fail(AWD_ERROR_INVALID_OPERATION,
          "the image has no channel to write to \"%s\": set one with awdSetImageChannel", path);
   }
-  for (const auto& [name, pixels] : image.channels()) checkName(name, path);
-  for (const auto& [key, value] : image.metadata()) checkName(key, path);
+  for (const auto& [name, pixels] : image.channels()) checkLength(name, path);
+  for (const auto& [key, value] : image.metadata()) checkLength(key, path);
   AtomicFile file(path);
   AtomicStream stream(file);
   try {

@@ -246,9 +246,9 @@ Ending minimiseByCeres(const Quadratic& quadratic, std::vector<double>& c) {
   if (factor.entries > kMostEntries) {
     char message[160];
     std::snprintf(message, sizeof message,
-                  "the matrix's factor would have %" PRIu64 " entries, more than %" PRIu64
+                  "the matrix's factor would have more than %" PRIu64 " entries"
                   ": take the solver descent",
-                  factor.entries, kMostEntries);
+                  kMostEntries);
     return {AWD_REFIT_FAILED, 0, message};
   }
   if (factor.lower.rows() == 0) {

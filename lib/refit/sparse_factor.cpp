@@ -29,13 +29,14 @@ Matrix scaledLower(const Quadratic& quadratic, const std::vector<double>& scale)
   return matrix;
 }
 
-/// Entries of L for the permuted matrix, by its elimination tree (Liu 1990).
-uint64_t fillOf(const Matrix& lower) {
+/// Entries of L for the permuted matrix, by its elimination tree (Liu 1990); if there are more than
+/// `most`, some number above it.
+uint64_t fillOf(const Matrix& lower, uint64_t most) {
   const int n = static_cast<int>(lower.rows());
   const Matrix rows = lower.transpose();  // column i: the entries of row i
   std::vector<int> parent(n, -1), seen(n, -1);
   uint64_t fill = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n && fill <= most; ++i) {
     seen[i] = i;
     ++fill;
     for (Matrix::InnerIterator entry(rows, i); entry; ++entry) {
@@ -64,7 +65,7 @@ SparseFactor sparseFactor(const Quadratic& quadratic, uint64_t mostEntries) {
   Matrix permuted(matrix.rows(), matrix.cols());
   permuted.selfadjointView<Eigen::Lower>() =
       matrix.selfadjointView<Eigen::Lower>().twistedBy(position);
-  factor.entries = fillOf(permuted);
+  factor.entries = fillOf(permuted, mostEntries);
   if (factor.entries > mostEntries) return factor;
 
   const Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(permuted);

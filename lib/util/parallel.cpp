@@ -73,6 +73,7 @@ class HostLoop {
   void once(std::size_t index) noexcept {
     if (index >= begun_.size()) {
       beyond_.store(index, std::memory_order_relaxed);
+      goesOn_.store(true, std::memory_order_relaxed);
     } else if (begun_[index].exchange(true, std::memory_order_relaxed)) {
       twice_.store(index, std::memory_order_relaxed);
     } else {
@@ -87,7 +88,7 @@ class HostLoop {
            "the host's parallelFor %s index %zu: it must run each of %zu once", what, index,
            begun_.size());
     };
-    if (beyond_ != kNone) complain("went on to", beyond_);
+    if (goesOn_) complain("went on to", beyond_);
     if (twice_ != kNone) complain("repeated", twice_);
     const auto left = std::find(begun_.begin(), begun_.end(), false);
     if (left != begun_.end()) complain("left out", left - begun_.begin());
@@ -98,7 +99,8 @@ class HostLoop {
   using Flags = std::pmr::vector<std::atomic<bool>>;
   Loop& loop_;
   Flags begun_;
-  std::atomic<std::size_t> beyond_{kNone}, twice_{kNone};
+  std::atomic<bool> goesOn_{false};
+  std::atomic<std::size_t> beyond_{0}, twice_{kNone};
 };
 
 /// The process in which oneTBB's threads were started for us. In one that was forked from it they

@@ -4,7 +4,8 @@
 source "$(dirname "$0")/harness.sh" "$@"
 unset AWD_REFIT_PATH
 box=$scenes/box.obj
-small="--spp 4 --passes 3 --basis linear-bspline --seed 3"
+plain="--spp 4 --passes 3 --seed 3"
+small="$plain --basis linear-bspline"
 
 setting() { "$tool" json s.json "/settings/$1"; }
 for estimator in paper mixture ratio quasi lumped; do
@@ -16,7 +17,7 @@ for estimator in paper mixture ratio quasi lumped; do
 done
 silent "$awd" render "$box" -o default.exr $small --json s.json
 [ "$(setting estimator)" = '"default"' ] || complain "default: $(setting estimator)"
-silent "$awd" render "$box" -o cosine.exr $small --guide cosine --json s.json
+silent "$awd" render "$box" -o cosine.exr $plain --guide cosine --json s.json
 [ "$(setting estimator)" = null ] || complain "cosine: $(setting estimator)"
 
 l1() { # A B

@@ -38,6 +38,29 @@ std::size_t trianglesOf(const SceneData& scene, const std::string& material) {
   return count;
 }
 
+/// All of which Assimp by itself takes for something else, or for nothing.
+TEST_F(ObjTest, BlanksAndCommentsAreNoPartOfIt) {
+  file("m.mtl", "newmtl lamp #1\nKe 3 3 3\n");
+  for (const char* mark : {"", "\xEF\xBB\xBF"}) {
+    SceneData scene;
+    EXPECT_EQ(
+        warnings(std::string(mark) + "mtllib m.mtl\n v 0 0 0 # the first\nv 1 0 0 # edge 2\n" +
+                     "\tv 1 1 0\nv 0 1 0\n\n # nothing\n  usemtl lamp #1\n f 1 2 3 # 4\n" +
+                     "f 1 3 \\\n 4\n",
+                 &scene),
+        "");
+    EXPECT_EQ(trianglesOf(scene, "lamp #1"), 2u);
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    for (const auto& triangle : scene.meshes[0].triangles) {
+      for (const uint32_t corner : triangle) {
+        const auto& at = scene.meshes[0].vertices.at(corner);
+        EXPECT_EQ(at[2], 0.0f);
+      }
+    }
+  }
+  EXPECT_CONTAINS(failure("v 1 0 -1\n v 1 x 0\n"), ":2: vertex has \"x\"");
+}
+
 TEST_F(ObjTest, MaterialsKeepTheirTrianglesAndLightsTheirStrength) {
   file("m.mtl", "newmtl a\nKd 0.25 0.5 0.75\nKe 17 12048.2 1e-3\nnewmtl b with blank\nKd 1 0 0\n");
   SceneData scene;

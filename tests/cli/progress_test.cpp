@@ -2,7 +2,11 @@
 // progress_bar.h and pdf_request.h, as far as they need no render
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
+
 #include "failure.h"
+#include "interrupt.h"
 #include "pdf_request.h"
 #include "progress_bar.h"
 #include "temporary_folder.h"
@@ -25,6 +29,19 @@ TEST(ProgressBar, CountsPasses) {
   EXPECT_CONTAINS(bar.line(at("pass", 0.2)), "20 % pass 2/3");
   EXPECT_CONTAINS(bar.line(at("pass", 0.2)), "20 % pass 2/3");
   EXPECT_CONTAINS(bar.line(at("pass", 0.1)), "10 % pass 3/3");
+}
+
+/// What the last passes have taught a field is worked in even then.
+TEST(ProgressBar, LetsWorkFinishAfterAnInterrupt) {
+  const auto interrupted = [] {
+    ProgressBar bar;
+    catchInterrupt();
+    std::raise(SIGINT);
+    const bool stops = !bar(at("pass", 0.5));
+    bar.letFinish();
+    std::exit(stops && bar(at("adapt", 0.5)) ? 0 : 1);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(0), "");
 }
 
 TEST(ProgressBar, IsAsLongAsTheFraction) {

@@ -36,6 +36,13 @@ for value in 0 -1 65537 1.5 x; do
   fails 2 "--height" "$awd" render "$box" -o out.exr --height "$value"
 done
 for value in -1 21 x; do fails 2 "--level" $render --level "$value"; done
+for option in memory seconds error; do
+  for value in 0 -1 nan inf x; do fails 2 "--$option" $render "--$option" "$value"; done
+done
+for value in -1 1.5 18446744073709551616 x; do fails 2 "--seed" $render --seed "$value"; done
+fails 2 "--basis is of adaptive densities" $render --guide cosine --basis haar
+fails 2 "--level is of adaptive densities" $render --guide cosine --level 3
+fails 2 "--estimator is of adaptive densities" $render --guide uniform --estimator quasi
 for value in 0 -1 x; do fails 2 "--passes" $render --spp 1 --passes "$value"; done
 for value in 0 -1 4294967296 x; do fails 2 "--samples" $render --samples "$value"; done
 for value in 0 -1 1025 x; do fails 2 "--shadow-rays" $render --shadow-rays "$value"; done

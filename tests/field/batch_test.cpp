@@ -57,6 +57,30 @@ class Batch : public testing::TestWithParam<FieldCase> {
 INSTANTIATE_TEST_SUITE_P(Fields, Batch, testing::ValuesIn(fieldCases()),
                          [](const auto& of) { return std::string(of.param.name); });
 
+/// Also of normals and directions that are unit vectors only nearly.
+TEST_P(Batch, HasTheBitsOfSingleCallsOfNearlyUnitVectors) {
+  for (float& x : normals_) x *= 1.0009f;
+  for (float& x : directions_) x *= 0.9991f;
+  if (GetParam().spatial()) findAll();
+  std::vector<float> pdfs(kCount);
+  must(awdSampleFieldBatch(field_, kCount, patches_.data(), normals_.data(), uniforms_.data(),
+                           samples_.data()));
+  must(awdGetFieldPdfs(field_, kCount, patches_.data(), normals_.data(), directions_.data(),
+                       pdfs.data()));
+  for (size_t i = 0; i < kCount; ++i) {
+    AWDDirectionSample one = {};
+    must(awdSampleField(field_, patches_[i], &normals_[3 * i], &uniforms_[3 * i], &one));
+    expectSame(samples_[i], one);
+    float pdf = 0.0f;
+    must(awdGetFieldPdf(field_, patches_[i], &normals_[3 * i], &directions_[3 * i], &pdf));
+    EXPECT_EQ(pdfs[i], pdf);
+    if (!GetParam().spatial()) continue;
+    uint32_t patch = 0;
+    must(awdFindPatch(field_, &positions_[3 * i], &normals_[3 * i], &patch));
+    EXPECT_EQ(patches_[i], patch);
+  }
+}
+
 TEST_P(Batch, HasTheBitsOfSingleCalls) {
   std::vector<float> pdfs(kCount);
   must(awdGetFieldPdfs(field_, kCount, patches_.data(), normals_.data(), directions_.data(),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Modules by path and from memory, names, and the listing.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -85,6 +87,99 @@ TEST(Modules, AnExceptionOfATableIsARefusal) {
                "awdRegisterBasisModule: basis \"test-linear\": a function of the table throws an "
                "exception");
   EXPECT_EQ(test::names(device), "haar");
+}
+
+/// The exception lies in the module, which is closed again.
+TEST(Modules, AnExceptionOfTheEntryIsARefusal) {
+  const test::Device device;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(awdLoadBasisModule(device, AWD_THROWING_FILE), AWD_ERROR_PLUGIN_LOAD);
+    EXPECT_TRUE(test::contains(awdGetLastErrorMessage(),
+                               "its entry point throws an exception: no licence today"))
+        << awdGetLastErrorMessage();
+  }
+}
+
+/// The self-test looks at some cells of 8192; the others are looked at when they are used.
+TEST(Modules, WhatTheSelfTestDidNotSeeIsSeenLater) {
+  const auto family = [](auto&& eval, auto&& weight) {
+    AWDBasisFamily boxes = {};
+    boxes.structSize = sizeof boxes;
+    boxes.name = "test-boxes";
+    boxes.summary = "boxes that are not all right";
+    boxes.flags = AWD_BASIS_ORTHOGONAL | AWD_BASIS_NESTED;
+    boxes.order = boxes.sampleDims = 1;
+    boxes.minLevel = 0;
+    boxes.maxLevel = 13;
+    boxes.count = boxes.cells = [](uint32_t level) -> uint32_t { return 1u << level; };
+    boxes.support = [](uint32_t level, uint32_t j, double ab[2]) {
+      ab[0] = std::ldexp(j, -static_cast<int>(level));
+      ab[1] = std::ldexp(j + 1.0, -static_cast<int>(level));
+    };
+    boxes.weight = weight;
+    boxes.eval = eval;
+    boxes.sample = [](uint32_t level, uint32_t j, const double* u) {
+      return std::ldexp(j + u[0], -static_cast<int>(level));
+    };
+    boxes.twoScale = [](uint32_t, uint32_t j, uint32_t* first, double* h) -> uint32_t {
+      *first = 2 * j;
+      h[0] = h[1] = 1.0;
+      return 2;
+    };
+    return boxes;
+  };
+  using Eval = uint32_t (*)(uint32_t, double, uint32_t*, double*);
+  const auto evalOf = [](auto value) -> Eval {
+    return [](uint32_t level, double x, uint32_t* first, double* values) -> uint32_t {
+      *first = std::min(static_cast<uint32_t>(std::ldexp(x, static_cast<int>(level))),
+                        (1u << level) - 1);
+      values[0] = level == 13 && *first == 3001 ? decltype(value)::of() : 1.0;
+      return 1;
+    };
+  };
+  struct One {
+    static double of() { return 1.0; }
+  };
+  struct NaN {
+    static double of() { return std::nan(""); }
+  };
+  struct Infinite {
+    static double of() { return HUGE_VAL; }
+  };
+  struct Negative {
+    static double of() { return -1.0; }
+  };
+  const auto right = [](uint32_t level, uint32_t) {
+    return std::ldexp(1.0, -static_cast<int>(level));
+  };
+  const auto wrong = [](uint32_t level, uint32_t j) {
+    return std::ldexp(level == 13 && j == 3001 ? 2.0 : 1.0, -static_cast<int>(level));
+  };
+  AWDBasisFamily all[] = {family(evalOf(One()), right), family(evalOf(NaN()), right),
+                          family(evalOf(Infinite()), right), family(evalOf(Negative()), right),
+                          family(evalOf(One()), wrong)};
+  for (AWDBasisFamily& boxes : all) {
+    const AWDBasisFamily* const families[] = {&boxes};
+    AWDBasisModule module = *honestModule();
+    module.families = families;
+    module.familyCount = 1;
+    const test::Device device;
+    ASSERT_EQ(awdRegisterBasisModule(device, &module), AWD_SUCCESS) << awdGetLastErrorMessage();
+    const AWDDensityAxis axis = {"test-boxes", AWD_LEVEL(13), AWD_LEVEL(13)};
+    AWDDensityDesc desc = AWD_DENSITY_DESC_INIT;
+    desc.dimensions = 1;
+    desc.axes = &axis;
+    AWDDensity density = nullptr;
+    const AWDResult result = awdNewDensity(device, &desc, &density);
+    if (&boxes == all) {
+      EXPECT_EQ(result, AWD_SUCCESS) << awdGetLastErrorMessage();
+    } else {
+      EXPECT_EQ(result, AWD_ERROR_PLUGIN_SELF_TEST) << &boxes - all;
+      EXPECT_TRUE(test::contains(awdGetLastErrorMessage(), "function 3001"))
+          << awdGetLastErrorMessage();
+    }
+    awdReleaseDensity(density);
+  }
 }
 
 TEST(Modules, TheFirstOfANameWins) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import ctypes
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Optional, Sequence, Union
+from typing import Any, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -178,10 +178,14 @@ class Density(Object):
         """Ends a pass: p becomes what the samples say. A failure changes nothing. Only the
         estimator REFIT takes long enough to tell of its progress. Exclusive."""
         report = described(c.AWDDensityReport)
-        self._long(progress, (self,), (),
-                   lambda: check(lib.awdAdaptDensity(self._handle, ctypes.byref(report))))
-        with Use(exclusive=(self,)):  # the message lives until the next adapt
-            return figures(DensityReport, report)
+        adapted: List[DensityReport] = []
+
+        def adapt() -> None:
+            check(lib.awdAdaptDensity(self._handle, ctypes.byref(report)))
+            adapted.append(figures(DensityReport, report))  # its message lives until the next adapt
+
+        self._long(progress, (self,), (), adapt)
+        return adapted[0]
 
     def refine(self, axis: Optional[int] = None) -> None:
         """The same p one level finer along an axis; None: along all. Exclusive."""

@@ -190,6 +190,7 @@ TEST(Family, RowsBeyondTheFunctionsAliveAreZero) {
     values[1] = 2.0 * x - 1.0;
     return x < 0.5 ? 1u : 2u;
   };
+  table.weight = [](uint32_t, uint32_t j) { return j == 0 ? 0.5 : 0.25; };
   const Family family = compile(table, 20);
   EXPECT_EQ(family.minLevel(), 1u);
   EXPECT_EQ(family.maxLevel(), 1u);

@@ -49,6 +49,16 @@ TEST(Passes, ByCount) {
   EXPECT_NEAR(estimate.standardError, std::sqrt(2 * 2.0 + 1 * 25.0 + 3 * 12.0) / 6.0, 1e-15);
 }
 
+/// Its square minus the square of its mean is 0: no error at all.
+TEST(Passes, ByCrossVarianceOfASingleSample) {
+  Passes passes(memory(), AWD_COMBINE_CROSS_VARIANCE);
+  passes.finish(sums({100.0}), {});
+  EXPECT_EQ(passes.estimate(sums({})).standardError, HUGE_VAL);
+  const Estimate estimate = passes.estimate(sums({1.0}, {1.0}));
+  EXPECT_EQ(estimate.samples, 2u);
+  EXPECT_GT(estimate.standardError, 0.5);
+}
+
 /// The last pass says what variance the others have: second moments less the square of its mean.
 TEST(Passes, ByCrossVariance) {
   Passes passes(memory(), AWD_COMBINE_CROSS_VARIANCE);
