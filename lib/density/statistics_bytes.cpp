@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "density/statistics_bytes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace awd {
 
@@ -32,6 +34,9 @@ BinnedSum getSum(ByteReader& reader) {
 }  // namespace
 
 void put(ByteWriter& writer, long double number) {
+  // Only what was forged to begin with has sums beyond this.
+  constexpr long double kMost = std::numeric_limits<long double>::max();
+  number = std::clamp(number, -kMost, kMost);
   int exponent;
   const long double mantissa = std::frexp(number, &exponent);
   const auto high = static_cast<double>(mantissa);
@@ -43,9 +48,10 @@ void put(ByteWriter& writer, long double number) {
 long double getLong(ByteReader& reader) {
   const double high = reader.get(-1.0, 1.0);
   const double low = reader.get(-1.0, 1.0);
-  // Squares of f/p are below 2^4300, however many there are; with room for sums of forged ones.
-  const auto exponent = reader.get<int32_t>(-16500, 12000);
-  return std::ldexp(static_cast<long double>(high) + low, exponent);
+  const auto exponent = reader.get<int32_t>(-16500, 16500);
+  const long double number = std::ldexp(static_cast<long double>(high) + low, exponent);
+  if (!std::isfinite(number)) reader.damaged();
+  return number;
 }
 
 void put(ByteWriter& writer, const DensityStatistics& statistics) {
