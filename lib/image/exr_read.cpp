@@ -148,7 +148,9 @@ class Reader {
   /// An image has all of its channels at its full size, however few pixels a part has of them.
   void checkRoom(const Imf::MultiPartInputFile& file) const {
     const double pixels = static_cast<double>(widthOf(window_)) * heightOf(window_);
-    double wanted = 0.0, apart = 0.0, possible = 0.0;
+    // Uncompressed bytes stand for more as well: chroma for four pixels, a deep pixel that is empty
+    // for all of its channels.
+    double wanted = 0.0, apart = 0.0, possible = 32.0;
     for (int part = 0; part < file.parts(); ++part) {
       const Imf::Header& header = file.header(part);
       const Imf::ChannelList& channels = header.channels();

@@ -246,7 +246,8 @@ Ending minimiseByCeres(const Quadratic& quadratic, std::vector<double>& c) {
   if (factor.entries > kMostEntries) {
     char message[160];
     std::snprintf(message, sizeof message,
-                  "the matrix's factor would have more than %" PRIu64 " entries"
+                  "the matrix's factor would have more than %" PRIu64
+                  " entries"
                   ": take the solver descent",
                   kMostEntries);
     return {AWD_REFIT_FAILED, 0, message};
