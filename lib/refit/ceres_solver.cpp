@@ -247,8 +247,7 @@ Ending minimiseByCeres(const Quadratic& quadratic, std::vector<double>& c) {
     char message[160];
     std::snprintf(message, sizeof message,
                   "the matrix's factor would have more than %" PRIu64
-                  " entries"
-                  ": take the solver descent",
+                  " entries: take the solver descent",
                   kMostEntries);
     return {AWD_REFIT_FAILED, 0, message};
   }
