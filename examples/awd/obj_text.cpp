@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string_view>
@@ -224,10 +225,8 @@ class ObjText {
 
 /// Keys that numbers follow, and no name that might have a # in it.
 bool hasNumbers(std::string_view key) {
-  for (const char* known : {"v", "vn", "vt", "vp", "f", "l", "p"}) {
-    if (key == known) return true;
-  }
-  return false;
+  static constexpr std::string_view kKeys[] = {"v", "vn", "vt", "vp", "f", "l", "p"};
+  return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
 }
 
 /// Whether Assimp would misread the file: it takes no line that is indented, and comments after

@@ -158,7 +158,7 @@ class Reader {
       for (auto i = channels.begin(); i != channels.end(); ++i) ++count;
       wanted += count * pixels;
       // A part of another window is read into planes of its own first.
-      const Box2i window = header.dataWindow();
+      const Box2i& window = header.dataWindow();
       if (window != window_) {
         apart = std::max(apart, count * static_cast<double>(widthOf(window)) * heightOf(window));
       }
