@@ -137,9 +137,12 @@ def interruptible(body: Callable[[], None], watch: Watch) -> None:
         body()
         return
     done = threading.Event()
+    turn = threading.Lock()  # whoever takes it first says whether body() runs
     failure: list[BaseException] = []
 
     def run() -> None:
+        if not turn.acquire(blocking=False):
+            return
         try:
             body()
         except BaseException as error:
@@ -147,8 +150,14 @@ def interruptible(body: Callable[[], None], watch: Watch) -> None:
         finally:
             done.set()
 
-    threading.Thread(target=run, name="awd").start()
-    interrupt = None
+    interrupt: Optional[BaseException] = None
+    try:
+        threading.Thread(target=run, name="awd").start()
+    except BaseException as error:
+        if turn.acquire(blocking=False):
+            raise  # body() has not begun, and will not
+        watch.cancelled = True
+        interrupt = error
     while not done.is_set():
         try:
             done.wait()
