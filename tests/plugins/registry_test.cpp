@@ -182,6 +182,40 @@ TEST(Modules, WhatTheSelfTestDidNotSeeIsSeenLater) {
   }
 }
 
+/// Sums over 2048 cells are rounded, which is no mistake of the family's.
+TEST(Modules, WideFunctionsAreNotRefusedForRounding) {
+  AWDBasisFamily halves = {};
+  halves.structSize = sizeof halves;
+  halves.name = "test-halves";
+  halves.summary = "two boxes on many cells";
+  halves.flags = AWD_BASIS_ORTHOGONAL;
+  halves.order = halves.sampleDims = 1;
+  halves.count = [](uint32_t) -> uint32_t { return 2; };
+  halves.cells = [](uint32_t) -> uint32_t { return 2048; };
+  halves.support = [](uint32_t, uint32_t j, double ab[2]) {
+    ab[0] = 0.5 * j, ab[1] = 0.5 * (j + 1);
+  };
+  halves.weight = [](uint32_t, uint32_t) { return 0.5; };
+  halves.eval = [](uint32_t, double x, uint32_t* first, double* values) -> uint32_t {
+    *first = x < 0.5 ? 0 : 1;
+    values[0] = 1.0;
+    return 1;
+  };
+  halves.sample = [](uint32_t, uint32_t j, const double* u) { return 0.5 * (j + u[0]); };
+  halves.twoScale = [](uint32_t, uint32_t, uint32_t*, double*) -> uint32_t { return 0; };
+  const AWDBasisFamily* const families[] = {&halves};
+  AWDBasisModule module = *honestModule();
+  module.families = families;
+  module.familyCount = 1;
+  const test::Device device;
+  EXPECT_EQ(awdRegisterBasisModule(device, &module), AWD_SUCCESS) << awdGetLastErrorMessage();
+  halves.weight = [](uint32_t, uint32_t) { return 0.5 + 1e-9; };
+  const test::Device another;
+  EXPECT_EQ(awdRegisterBasisModule(another, &module), AWD_ERROR_PLUGIN_SELF_TEST);
+  EXPECT_TRUE(test::contains(awdGetLastErrorMessage(), "weight is not the integral"))
+      << awdGetLastErrorMessage();
+}
+
 TEST(Modules, TheFirstOfANameWins) {
   const test::Device device;
   ASSERT_EQ(awdRegisterBasisModule(device, honestModule()), AWD_SUCCESS);
